@@ -17,7 +17,7 @@
 
 namespace spook {
 
-/// Returns the number of parts, not rounded, that a step of `h` [s] needs. Joints of a given k are not asked, and hold as k says.
+/// Returns the number of parts, not rounded, that a step of `h` [s] needs. Ignores joints with a k of their own.
 /// `force_of` returns the force of a joint in the last step [N].
 template <int Dof>
 double parts_needed(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, double h,
