@@ -80,8 +80,8 @@ struct Settings {
   std::optional<double> d = {};
   double friction = 0;      ///< μ; 0: no friction rows
   double viscosity = 1e12;  ///< of sticking contacts, c of Eq. (5.4) [N s/m]; may be infinite
-  /// Restitution and friction of impacts. The speed |gravity| h, which gravity adds in a step, is added to the
-  /// threshold. Default: no impacts.
+  /// Restitution and friction of impacts. The threshold is increased by the speed that gravity adds in a step, |gravity|
+  /// h, and by that of a bounce as high as the sag of the contact, |gravity| √(2 m/k). Default: no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< first tangent along the slip, Eq. (9.2)
   /// A solver of engine/solvers/registry.hpp, or your own. The solver also selects the friction model. Default: factors
@@ -371,6 +371,7 @@ class World {
   void shift_to_step(double h);
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
+  ImpactLaw impact_law(const Contact& contact, double h) const;
   void resolve_impacts(double h);
   void set_default_stiffness(double h);
   void build_rows(double h);
