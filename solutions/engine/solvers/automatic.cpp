@@ -9,6 +9,10 @@
 //               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
 //               at once without cones; on cones they get factors unless one sweep converges, as it does at rest
 //
+// An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
+// contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
+// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
+//
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
 #include <algorithm>
@@ -135,7 +139,8 @@ class Automatic {
       if (auto solved = few_at_once(*all.front(), s.rows, s.V, on_cones, s.stop)) return *std::move(solved);
     const std::vector<double> last = s.last.impulses(s.rows, s.first_contact_row, s.contacts, s.h);
     if (all.size() == 1)
-      return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last, on_cones});
+      return solve_one(*all.front(), s,
+                       {s.rows, s.V, s.bodies.motion.inverse_mass, last, on_cones, approach(*all.front(), s)});
 
     SolverResult outcome{SolveReport{.history = {}, .converged = true}};
     outcome.row_updates = 0;
@@ -144,7 +149,8 @@ class Automatic {
       IslandProblem<Dof> copy(island->members, s, on_cones, last, numbers);
       auto solved = few_at_once(*island, copy.rows, copy.V, copy.rubbing, s.stop);
       if (!solved)
-        solved = solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last, copy.rubbing});
+        solved = solve_one(
+            *island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last, copy.rubbing, approach(*island, s)});
       outcome = merge_parallel(std::move(outcome), *solved);
       copy.write_back(island->members, s.rows, s.V);
     }
@@ -155,8 +161,9 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;               // in sweeps
-  static constexpr double share_left = 1e-3, share_enough = 1e-6;  // of the right-hand side
+  static constexpr double worth_of_a_solution = 100;                     // in sweeps
+  static constexpr double share_left = 1e-3, share_enough = 1e-6;        // of the right-hand side
+  static constexpr double share_moving = 3e-3, share_may_be_left = 0.1;  // of the approach of moving contacts
 
   /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
@@ -165,6 +172,7 @@ class Automatic {
     const std::vector<InverseMass<Dof>>& inverse_mass;
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
     const std::vector<FrictionContact>& rubbing;
+    double approach = 0;  ///< the largest, if the island is of moving contacts; else 0 [m/s]
 
     /// Tells whether factors can solve the island: on cones they need Σ > 0 in every row.
     bool has_factors() const {
@@ -185,29 +193,73 @@ class Automatic {
     return without_updates(*std::move(solved));
   }
 
+  /// Returns the largest |B| of a normal row if the island is of contacts on cones, and a body is faster than forces
+  /// make it in a step; else 0 [m/s].
+  double approach(const Island<Dof>& island, const SolverInput<Dof>& s) const {
+    if (!on_cones_ || s.rubbing.empty()) return 0;
+    const Motion<Dof>& motion = s.bodies.motion;
+    const auto is_fast = [&](int body) {
+      return motion.inverse_mass[body].linear > 0 &&
+             motion.W[body].template head<3>().norm() > motion.Wf[body].template head<3>().norm();
+    };
+    bool moves = false;
+    double most = 0;
+    for (const int k : island.members) {
+      const int of_contacts = k - static_cast<int>(s.first_contact_row);
+      if (of_contacts < 0) return 0;
+      if (of_contacts % 3 != 0) continue;
+      most = std::max(most, std::abs(s.rows[k].B));
+      moves = moves || is_fast(s.rows[k].i) || is_fast(s.rows[k].j);
+    }
+    return moves ? most : 0;
+  }
+
   SolverResult solve_one(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) {
     const double sweeps = s.stop.max_sweeps;
+    const bool moves = part.approach > 0;
     const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
-    const bool at_once = may && *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
+    const bool at_once = may && *island.cost <= sweeps, hard = may && !moves && is_hard(island, s.rows);
     // On cones λ of the last step may be a solution still, which a sweep shows.
     if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island);
     }
-    SolverResult swept =
-        this->swept(part, {.max_sweeps = hard ? 1 : s.stop.max_sweeps, .tolerance = s.stop.tolerance});
+    const int most = hard ? 1 : moves ? 2 * s.stop.max_sweeps : s.stop.max_sweeps;
+    SolverResult swept = this->swept(part, {.max_sweeps = most, .tolerance = s.stop.tolerance});
     swept.row_updates = swept.updates(part.rows.size());
-    const auto left = [&] { return estimated_error(swept.report.history.back(), swept.report.history); };
-    if (swept.report.converged || !may || (!hard && left() <= share_left * rhs_norm(part.rows))) return swept;
-    for (const int k : island.members) {
-      if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
-      if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
-    }
+    if (!may || is_enough(swept.report, part, hard)) return swept;
+    if (!moves)
+      for (const int k : island.members) {
+        if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
+        if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
+      }
     return append(std::move(swept), factorised(part, enough(part, s.stop), island), part.rows.size());
   }
 
   static double enough(const IslandView& part, const StopRule& stop) {
-    return std::max(stop.tolerance, share_enough * rhs_norm(part.rows));
+    return std::max({stop.tolerance, share_enough * rhs_norm(part.rows), share_moving * part.approach});
+  }
+
+  /// Tells whether sweeps made factors unnecessary.
+  static bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) {
+    if (swept.converged)
+      return part.approach == 0 || left_by_quarters(swept.history) <= share_may_be_left * part.approach;
+    const double left = estimated_error(swept.history.back(), swept.history);
+    return !hard && left <= share_left * rhs_norm(part.rows);
+  }
+
+  /// Estimates the error of accelerated sweeps, whose residuals do not fall at a steady rate: from the least residuals
+  /// in the second and the last quarter of the history. A short history is assumed to converge by 2 per cent a sweep.
+  static double left_by_quarters(const std::vector<double>& history) {
+    constexpr std::ptrdiff_t shortest = 8;
+    constexpr double assumed = 0.98;
+    const auto quarter = [&](int n) { return history.begin() + std::ssize(history) * n / 4; };
+    const double before = *std::min_element(quarter(1), std::max(quarter(2), quarter(1) + 1));
+    const double last = *std::min_element(quarter(3), history.end());
+    const double rate = std::ssize(history) < shortest
+                            ? assumed
+                            : std::pow(last / before, 2.0 / static_cast<double>(history.size()));
+    return rate < 1 ? history.back() / (1 - rate) : infinity;
   }
 
   static SolverResult swept(const IslandView& part, const StopRule& stop) {
@@ -225,7 +277,7 @@ class Automatic {
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, enough);
+    return solve_on_cones(problem, enough, {.suffices = share_left});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

@@ -18,8 +18,8 @@ constexpr double share_within = 1e-8, share_lagged = 1e-6;
 template <int Dof>
 class Attempts {
  public:
-  Attempts(ConeProblem<Dof>& problem, double tolerance, int most)
-      : problem_(problem), tolerance_(tolerance), most_(most) {}
+  Attempts(ConeProblem<Dof>& problem, double tolerance, const ConeEffort& effort)
+      : problem_(problem), tolerance_(tolerance), effort_(effort) {}
 
   SolveReport solve() {
     problem_.sweep(1);
@@ -35,7 +35,7 @@ class Attempts {
  private:
   static constexpr int most_of_newton = 12, most_within = 60;
 
-  int remaining() const { return most_ - static_cast<int>(report_.history.size()); }
+  int remaining() const { return effort_.most - static_cast<int>(report_.history.size()); }
   double part(double share) const { return std::max(tolerance_, share * problem_.asked()); }
 
   bool newton(int most) {
@@ -55,10 +55,14 @@ class Attempts {
       tried_within_ = true;
       const double enough = part(share == infinity ? share_within : share_lagged);
       if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
-      if (report_.history.back() >= least) continue;
-      least = report_.history.back();
-      best = problem_.impulses();
-      if (least <= part(share_lagged)) return true;
+      if (report_.history.back() < least) {
+        least = report_.history.back();
+        best = problem_.impulses();
+      }
+      if (least <= part(std::max(share_lagged, effort_.suffices))) {
+        end_with(best, least);
+        return true;
+      }
     }
     end_with(best, least);
     return false;
@@ -90,7 +94,7 @@ class Attempts {
 
   ConeProblem<Dof>& problem_;
   double tolerance_;  // [m/s]
-  int most_;
+  ConeEffort effort_;
   std::vector<double> start_;
   bool tried_within_ = false;  // if false, the residual shows only that too few factorisations were allowed
   SolveReport report_;
@@ -99,13 +103,13 @@ class Attempts {
 }  // namespace
 
 template <int Dof>
-SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, int most) {
-  SolverResult result = Attempts<Dof>(problem, tolerance, most).solve();
+SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, const ConeEffort& effort) {
+  SolverResult result = Attempts<Dof>(problem, tolerance, effort).solve();
   result.row_updates = problem.row_updates();
   return result;
 }
 
-template SolverResult solve_on_cones<3>(ConeProblem<3>&, double, int);
-template SolverResult solve_on_cones<6>(ConeProblem<6>&, double, int);
+template SolverResult solve_on_cones<3>(ConeProblem<3>&, double, const ConeEffort&);
+template SolverResult solve_on_cones<6>(ConeProblem<6>&, double, const ConeEffort&);
 
 }  // namespace spook

@@ -10,11 +10,16 @@
 
 namespace spook {
 
+struct ConeEffort {
+  int most = 300;  ///< factorisations
+  double suffices =
+      0;  ///< residual after the first interior-point method that ends the attempts, over the largest |B|
+};
+
 /// Starts from the current λ and V. A problem counts as solved if the residual, Eq. (9.7), is at most the tolerance or
-/// round-off. If that cannot be reached, 1e-8 of the largest |B| suffices, and 1e-6 with lagged limits. Makes at most
-/// `most` factorisations. Each history entry is the residual after a factorisation; the last entry belongs to the final
-/// λ. All rows must have Σ > 0.
+/// round-off. If that cannot be reached, 1e-8 of the largest |B| suffices, and 1e-6 with lagged limits. Each history
+/// entry is the residual after a factorisation; the last entry belongs to the final λ. All rows must have Σ > 0.
 template <int Dof>
-SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, int most = 300);
+SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, const ConeEffort& effort = {});
 
 }  // namespace spook
