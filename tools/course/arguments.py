@@ -206,8 +206,8 @@ def _add_update(command: Parser) -> None:
 
 def _add_view(command: Parser) -> None:
     command.usage = "./course view SCENE [OPTION OF RUN ...] [OPTION ...]\n       ./course view FILE.jsonl ..."
-    command.epilog = ("Also accepts the options of ./course run for a single run, except --record and\n"
-                      "--restart. FILE.jsonl is the output of ./course run SCENE --record.")
+    command.epilog = ("Also accepts the options of ./course run for a single run, except --record\n"
+                      "and --restart. FILE.jsonl is the output of ./course run SCENE --record.")
     command.add_argument("--mine", action="store_true", help="use the exercises that you have written so far")
     command.add_argument("--beside", nargs="+", action="extend", metavar="WHAT",
                          help="add another run to the picture: mine, or a run with NAME=VALUE[,NAME=VALUE] "
@@ -222,7 +222,7 @@ def _add_view(command: Parser) -> None:
 
 def _add_play(command: Parser) -> None:
     command.usage = "./course play SCENE [OPTION OF RUN ...] [OPTION ...]"
-    command.epilog = ("Also accepts --fps and the options of ./course run for the scene and the solver,\n"
+    command.epilog = ("Also accepts --fps and the options of ./course run for scene and solver,\n"
                       "except --integrator-order. Only this machine can open the page; leaving the\n"
                       "page, or Ctrl-C, ends the run.")
     command.add_argument("--mine", action="store_true", help="use your exercises; a save continues with the new code")
