@@ -120,8 +120,10 @@ Experiment experiment(Size size) {
       const auto errors = long_run.numbers("energy error");
       return errors.back() / errors.front();
     };
-    claims.near("leapfrog's error does not grow over many orbits: ratio of the last to the second 1.00 ± 0.01",
-                growth("leapfrog"), 1, 0.01);
+    claims.near(
+        "leapfrog's error does not grow over many orbits: that of the last is 1.00 ± 0.01 times that of the "
+        "second",
+        growth("leapfrog"), 1, 0.01);
     claims.at_least("RK4's grows all the way: to more than 20 times that of the second orbit", growth("RK4"),
                     20);
   };

@@ -130,8 +130,10 @@ Experiment experiment(Size size) {
     const auto bodies = hash.numbers("bodies"), compared = hash.numbers("compared");
     for (std::size_t k = 0; k < bodies.size(); ++k)
       worst = std::max(worst, std::abs(compared[k] / sharing_a_cell_in_the_mean(bodies[k]) - 1));
-    claims.at_most("these are (2.89 - 1.89/L)³/2 for each sphere in a cube of side L, to 5 per cent", worst,
-                   0.05);
+    claims.at_most(
+        "the hash makes (2.89 - 1.89/L)³/2 comparisons for each sphere in a cube of L cells a side, within 5 "
+        "per cent",
+        worst, 0.05);
     double different = 0;
     for (const double count : {1000, 2000, 4000, 8000}) {
       const auto pairs = table.where("bodies", count).numbers("pairs");

@@ -196,7 +196,7 @@ Experiment experiment(Size size) {
                    all("push", {Model::box, Model::two_pass}), 1e-9);
     claims.at_most("a stack stays on a slope from μ = tan θ on with two passes and with the cone, to 1e-6",
                    all("stack", {Model::two_pass, Model::cone}), 1e-6);
-    claims.at_most("with the box's estimate it needs μ = max(n, 2(n-1)) tan θ, to 1e-6",
+    claims.at_most("with the box's estimate a stack of n spheres needs μ = max(n, 2(n-1)) tan θ, to 1e-6",
                    all("stack", {Model::box, Model::sliding_box}), 1e-6);
     const auto stops = [&](Model model) {
       return table.where("what", "spin").where("model", name(model)).numbers("at").back();

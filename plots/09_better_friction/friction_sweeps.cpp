@@ -147,11 +147,10 @@ Experiment experiment(Size size) {
       }
     }
     claims.at_most(
-        "for a rod that slides with μ n·Kt/n·Kn of 0.75 or -0.75, sweeps converge at that rate: 0.75 a sweep, "
-        "to 1e-6",
+        "for a sliding rod with ρ = ±0.75 in Eq. (9.8), each sweep multiplies the error by 0.75, within 1e-6",
         off, 1e-6);
     const auto round = values("rod", "cone -1.5");
-    claims.near("with -1.5 the cone's sweeps do not converge: the thousandth changes as much as the first",
+    claims.near("with ρ = -1.5 the cone's sweeps do not converge: the thousandth changes as much as the first",
                 round.back() / round.front(), 1, 1e-9);
     claims.at_most("the second of two passes converges in 3 sweeps there",
                    static_cast<double>(values("rod", "two passes -1.5").size()), 3);

@@ -113,12 +113,13 @@ void check_all(const Table& table, Claims& claims) {
   claims.at_least("a free top is right to 0.05 rad in a fiftieth of the others' time or less",
                   time_to(0.05, others("asymmetric top")) / time_to(0.05, ours("asymmetric top")), 50);
   claims.at_most(
-      "a block's way is right to 3.5e-6 in 0.6 of the others' time or less",
+      "a block slides by the right distance, to 3.5e-6, in 0.6 of the others' time or less",
       time_to(3.5e-6, ours("sliding at four headings")) / time_to(3.5e-6, others("sliding at four headings")),
       0.6);
-  claims.at_most("with 60 composed steps a second spook puts the double pendulum right to 1e-6",
+  claims.at_most("with 60 composed steps a second the error of spook's double pendulum is at most 1e-6",
                  table.where("solver", "composed").numbers("error").front(), 1e-6);
-  claims.at_least("the others at 1920 have 1e-5 or more", least_error(others("double pendulum")), 1e-5);
+  claims.at_least("with 1920 steps a second the others have errors of 1e-5 or more",
+                  least_error(others("double pendulum")), 1e-5);
 }
 
 struct Chosen {

@@ -131,14 +131,11 @@ Experiment experiment(Size size) {
       if (law[n] > 20 * as_one) off = std::max(off, std::abs(found[n] / law[n] - 1));
     }
     claims.at_most(
-        "with n sweeps a step each link is a spring of k' = 4 n m/(h² (1+4d)): if ΣT is above 20 n m g, the "
-        "stretch is ΣT/k', to 10 per cent",
+        "with n sweeps a step each link is a spring of stiffness k' = 4 n m/(h² (1+4d)); if ΣT is above 20 n m "
+        "g, the stretch is ΣT/k', within 10 per cent",
         off, 0.1);
-    claims.at_least(
-        "no wire is lost, that is stretched to more than twice its length, if ΣT/k' is below one half of that "
-        "length",
-        shortest_lost, 0.5);
-    claims.at_most("every wire is lost if it is above 0.65", longest_kept, 0.65);
+    claims.at_least("no wire is lost if ΣT/k' is below half of its length", shortest_lost, 0.5);
+    claims.at_most("every wire is lost if ΣT/k' is above 0.65 of its length", longest_kept, 0.65);
   };
   return e;
 }

@@ -115,8 +115,8 @@ Experiment experiment(Size size) {
         apart = std::max(apart, std::abs(error[m] - error[n]));
       }
     claims.at_most(
-        "from 100 sweeps on, ten times the k takes ten times the sweeps: the depths differ by less than 0.01 "
-        "of it",
+        "from 100 sweeps on, ten times the k and ten times the sweeps give the same relative error of the "
+        "depth, within 0.01",
         pairs > 0 ? apart : infinity, 0.01);
     const auto off = loop.numbers("off");
     claims.at_most("two contradictory rods hold a point at the mean with the weights w₁ and w₂, to 1e-12 m",

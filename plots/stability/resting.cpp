@@ -83,10 +83,13 @@ Experiment experiment(Size size) {
       hops = std::max(hops, impulse[n] / (hop[n] + 1e-14));
     }
     claims.at_most(
-        "a ball at rest is mg/k deep for every k, d and h, up to d/2 + 1 rounding errors of its position and 2 "
-        "d h of its speed",
+        "the depth of a ball at rest is mg/k for every k, d and h; its error is at most d/2 + 1 rounding "
+        "errors of the position plus 2 d h of those of the speed",
         worst, 1);
-    claims.at_most("its impulse is h m g, up to a times a rounding error of its position", hops, 1);
+    claims.at_most(
+        "its impulse is h m g, within one rounding error of the position times the weight a of the gap, Eq. "
+        "(3.4)",
+        hops, 1);
   };
   return e;
 }

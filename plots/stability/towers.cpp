@@ -145,14 +145,15 @@ void check(const Table& table, Claims& claims) {
   }
   // A tower that swings slowly, about 5 cm, has a mean over 2.5 s that is 2/(2.5 s √(g/5 cm)) off.
   claims.at_most(
-      "if the lowest contact sinks by less than 5 cm, its depth is that of B = S (1 - Eⁿ)⁻¹ h N, to 6 per cent",
+      "if the lowest contact sinks by less than 5 cm, its depth is that of B = S (1 - Eⁿ)⁻¹ h N, within 6 per "
+      "cent",
       off, 0.06);
   claims.at_most(
       "for two bodies it is too deep by (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ), with ρ of Eq. (4.10), to 1e-5", closed,
       1e-5);
   claims.at_most(
-      "in a tower it is twice as deep as it should be after (4n²/π²) ln(1 + π²/(4 n² mΣ)) sweeps, to 10 per "
-      "cent",
+      "in a tower of n spheres it is twice as deep as it should be after (4n²/π²) ln(1 + π²/(4 n² mΣ)) sweeps, "
+      "within 10 per cent",
       twice, 0.1);
   claims.at_least("no tower is lost if the depth by this law is below 25 cm, half a radius", shallowest_lost,
                   0.25);

@@ -3,10 +3,10 @@
 //   --scene NAME --set name=value ...     a scene, or a file.json, and its parameters (a stack of ten spheres)
 //   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
-// All options of ./course run and all parameters of the scene are available, each with one or more values: one point
-// for each combination, as in ./course run --sweep. Refused combinations are skipped and counted. The error is the
-// scene's own, so a file must have an answer, its "expected". The cost is the median of the microseconds per step with
-// its quartiles, and the row updates per second, which are the same on every machine.
+// The options of ./course run for the scene and the solver, and all parameters of the scene, are available, each with
+// one or more values: one point for each combination, as in ./course run --sweep. Refused combinations are skipped and
+// counted. The error is the scene's own, so a file must have an answer, its "expected". The cost is the median of the
+// microseconds per step with its quartiles, and the row updates per second, which are the same on every machine.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>

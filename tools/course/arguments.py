@@ -16,10 +16,11 @@ N is a chapter (4), N.M an exercise (4.2). The name of an exercise's function
 Without N, check tests every exercise that you have started, in order, and
 explains the first wrong one. watch does the same at every save.
 
-run and scenes pass all options to the engine: ./course run --help. view and
-play accept run's options, too, after the scene. With --mine they use the
-exercises that you have written so far, right or wrong, instead of the
-reference's. Arguments after -- are passed to plot's experiment.
+run and scenes pass all options to the engine: ./course run --help. After the
+scene, view and play accept those of run's options that their --help names.
+With --mine they use the exercises that you have written so far, right or
+wrong, instead of the reference's. Arguments after -- are passed to plot's
+experiment.
 
 Exit codes: 0 success, 1 a wrong answer or a failure, 2 bad input.
 """
@@ -205,8 +206,8 @@ def _add_update(command: Parser) -> None:
 
 def _add_view(command: Parser) -> None:
     command.usage = "./course view SCENE [OPTION OF RUN ...] [OPTION ...]\n       ./course view FILE.jsonl ..."
-    command.epilog = ("Also accepts all options of ./course run. FILE.jsonl is the output of\n"
-                      "./course run SCENE --record.")
+    command.epilog = ("Also accepts the options of ./course run for a single run, except --record\n"
+                      "and --restart. FILE.jsonl is the output of ./course run SCENE --record.")
     command.add_argument("--mine", action="store_true", help="use the exercises that you have written so far")
     command.add_argument("--beside", nargs="+", action="extend", metavar="WHAT",
                          help="add another run to the picture: mine, or a run with NAME=VALUE[,NAME=VALUE] "
@@ -221,8 +222,9 @@ def _add_view(command: Parser) -> None:
 
 def _add_play(command: Parser) -> None:
     command.usage = "./course play SCENE [OPTION OF RUN ...] [OPTION ...]"
-    command.epilog = ("Also accepts all options of ./course run. Only this machine can open the page;\n"
-                      "leaving the page, or Ctrl-C, ends the run.")
+    command.epilog = ("Also accepts --fps and the options of ./course run for scene and solver,\n"
+                      "except --integrator-order. Only this machine can open the page; leaving the\n"
+                      "page, or Ctrl-C, ends the run.")
     command.add_argument("--mine", action="store_true", help="use your exercises; a save continues with the new code")
     command.add_argument("--port", type=_port, metavar="N", help="port of the local server (default: any free port)")
     command.add_argument("--no-open", action="store_true", help="print the address without opening a browser")

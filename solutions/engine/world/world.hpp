@@ -179,7 +179,7 @@ class World {
   void set_material(int i, int j, const Material& material);
 
   /// Excludes contacts: no two of these bodies touch from now on. A world may have several such lists, and a body may
-  /// be in more than one. Without a list, bodies on a joint touch as any two bodies do. Throws std::invalid_argument
+  /// be in more than one. By default two bodies may touch even if a joint connects them. Throws std::invalid_argument
   /// for an index out of range, a body that is there twice, and fewer than two bodies.
   void exclude_contacts(const std::vector<int>& bodies);
 
