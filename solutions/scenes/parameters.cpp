@@ -141,7 +141,7 @@ Parameter restitution(double value) {
 
 Parameter threshold() {
   return {.name = "threshold",
-          .meaning = "slowest approach that is an impact, over g h + g sqrt(2 m/k)",
+          .meaning = "slowest impact, above g h or g sqrt(2 m/k)",
           .unit = "m/s",
           .value = 0,
           .limits = not_negative};

@@ -92,7 +92,7 @@ TEST(BouncingBallScene, BouncesAboveTheThresholdOnly) {
   // (Not for less: the floor hides too much of low bounces.)
   for (const double threshold : {0.5, 1.0, 2.0}) {
     int bounces = 0;
-    for (double v = fastest; v > threshold + g * (h + std::sqrt(2 / 1e6)); v *= e) ++bounces;
+    for (double v = fastest; v > threshold + g * std::max(h, std::sqrt(2 / 1e6)); v *= e) ++bounces;
     const SceneRun run = run_of("bouncing_ball", {{"threshold", exact_text(threshold)}}, h, 6);
     EXPECT_EQ(run.last("bounces"), bounces) << "threshold " << threshold;
     EXPECT_NEAR(run.last("z [m]"), -g / 1e6, 1e-9) << "it comes to rest";
@@ -220,15 +220,15 @@ TEST(PileScene, OverlapsBalanceTheWeightsOnceItRests) {
   }
 }
 
-// If impacts stopped each approach, soft springs would never be compressed by the weight, and a pile would jitter.
+// If impacts stopped each approach, soft springs would never be compressed by the weight, and a pile would jitter: with
+// impacts in each step, of |gravity| h and more.
 TEST(PileScene, RestsOnSoftSpringsThoughItBounces) {
   for (const std::string k : {"1e4", "1e5"})
     for (const double h : {0.004, 0.001}) {
       SCOPED_TRACE("k " + k + ", h " + exact_text(h));
-      const SceneRun run = run_of("pile", {{"bodies", "12"}, {"k", k}}, h, 6);
+      const SceneRun run = run_of("pile", {{"bodies", "12"}, {"seed", "2"}, {"k", k}}, h, 8);
       EXPECT_EQ(run.last("impacts"), 0);
-      EXPECT_LE(run.last("fastest centre [m/s]"), 0.02)
-          << "it may still roll; impacts of g h and more would go on";
+      EXPECT_LE(run.last("fastest centre [m/s]"), g * h);
     }
 }
 

@@ -143,8 +143,8 @@ void World<Dof>::prepare_motion(double h) {
   }
 }
 
-/// Returns the friction and restitution of a contact, and its slowest impact [m/s]. Rows take slower approaches: the
-/// speed that gravity adds in a step, and a bounce no higher than the sag of the contact, u²/2g = m g/k.
+/// Returns the friction and restitution of a contact, and its slowest impact [m/s]. Rows take slower approaches:
+/// those that gravity makes in a step, and a bounce no higher than the sag of the contact, u²/2g = m g/k.
 template <int Dof>
 ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
@@ -157,7 +157,7 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   }
   const std::vector<InverseMass<Dof>>& inverse_mass = bodies_.motion.inverse_mass;
   const double both = inverse_mass[contact.i].linear + inverse_mass[contact.j].linear;
-  law.threshold += settings_.gravity.norm() * (h + std::sqrt(2 / (both * k)));
+  law.threshold += settings_.gravity.norm() * std::max(h, std::sqrt(2 / (both * k)));
   return law;
 }
 

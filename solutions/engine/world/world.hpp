@@ -80,8 +80,9 @@ struct Settings {
   std::optional<double> d = {};
   double friction = 0;      ///< μ; 0: no friction rows
   double viscosity = 1e12;  ///< of sticking contacts, c of Eq. (5.4) [N s/m]; may be infinite
-  /// Restitution and friction of impacts. The threshold is increased by the speed that gravity adds in a step, |gravity|
-  /// h, and by that of a bounce as high as the sag of the contact, |gravity| √(2 m/k). Default: no impacts.
+  /// Restitution and friction of impacts. The threshold is increased by |gravity| h, the speed that gravity adds in a
+  /// step, or by |gravity| √(2 m/k), that of a bounce as high as the sag of the contact, if it is more. Default: no
+  /// impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< first tangent along the slip, Eq. (9.2)
   /// A solver of engine/solvers/registry.hpp, or your own. The solver also selects the friction model. Default: factors
