@@ -93,7 +93,8 @@ Experiment experiment(Size size) {
     const auto factors = stiff.numbers("value"), d = stiff.numbers("d");
     const auto least = std::min_element(factors.begin(), factors.end());
     claims.near(
-        "a violation of a stiff contact decays fastest at d = 2: each step leaves a third of it, so it does "
+        "a violation of a stiff contact decays fastest at d = 2: in the end each step leaves a third of it, so "
+        "it does "
         "not vanish in d steps",
         d[std::size_t(least - factors.begin())], 2, 1e-6);
   };
