@@ -207,7 +207,8 @@ Experiment experiment(Size size) {
     const auto links = grown.numbers("size"), entries = grown.numbers("value");
     double off = 0;
     for (std::size_t k = 0; k < links.size(); ++k) off = std::max(off, std::abs(entries[k] - (links[k] - 1)));
-    claims.near("L has one entry less than the wire has links: nothing is filled in", off, 0, 0);
+    claims.near("below its diagonal L has one entry less than the wire has links: nothing is filled in", off, 0,
+                0);
     const Table towers = table.where("what", "bounds");
     const auto found = towers.numbers("value"), held = towers.numbers("held");
     const auto boxes = towers.numbers("size"), ratio = towers.numbers("ratio");
@@ -222,7 +223,7 @@ Experiment experiment(Size size) {
       free += held[k] == 0 && (boxes[k] <= 10 || ratio[k] <= 1e3);
     }
     claims.near("one factorisation is enough if and only if no row is at a bound", unlike, 0, 0);
-    claims.near("all such draws have more than ten boxes and more than 1000:1", free, 0, 0);
+    claims.near("all draws without a row at a bound have more than ten boxes and more than 1000:1", free, 0, 0);
   };
   return e;
 }
