@@ -85,7 +85,8 @@ EXERCISE_TEST(LeapfrogStep, ComputesAllForcesAtOldPositions) {
                      {{body_by_body.x[2],
                        "Body by body: the force on the last body came from places to which the others had "
                        "already moved. Finish all kicks before the first drift."},
-                      {euler.x[2], "This drifted with the velocity before the kick."}});
+                      {euler.x[2], "This drifted with the velocity before the kick."},
+                      {old.x[2], "The last body has not moved: does a loop end before it?"}});
   expect_near_vector("v of the last of three coupled bodies after one step [m/s]", "Eq. (1.3)", p.v[2],
                      right.v[2], roundings(16, 5),
                      {{body_by_body.v[2],
@@ -117,7 +118,7 @@ EXERCISE_TEST(LeapfrogStep, GivesEachBodyItsOwnMass) {
   };
   Particles p;
   for (int k = 0; k < 300; ++k) {
-    p.x.push_back(random.vector());
+    p.x.push_back(k % 3 == 2 ? p.x.back() : random.vector());  // some are at the place of the one before
     p.v.push_back(random.vector());
     p.inverse_mass.push_back(k % 4 == 3 ? 0 : random.uniform(0.3, 2));
   }
@@ -129,7 +130,9 @@ EXERCISE_TEST(LeapfrogStep, GivesEachBodyItsOwnMass) {
         "body " + std::to_string(i) + " of 300, 1/m = " + show(old.inverse_mass[i]) + "/kg";
     expect_near_vector(
         "v of " + body + " [m/s]", "Eq. (1.3)", p.v[i], with(old.inverse_mass[i]), roundings(8, 5),
-        {{with(old.inverse_mass[0]), "This used the mass of the first body. Each body has its own."},
+        {{i % 3 == 2 ? Vec3(old.v[i] + h * old.inverse_mass[i] * pull(i - 1, {})) : Vec3::Zero(),
+          "This is the force on the body before, which is at the same place. Ask for each body's own force."},
+         {with(old.inverse_mass[0]), "This used the mass of the first body. Each body has its own."},
          {Vec3::Zero(), "A body with 1/m = 0 keeps its velocity: no force changes it."}},
         "Each body has its own mass, and its own force.");
     expect_near_vector("x of " + body + " [m]", "Eq. (1.4)", p.x[i],

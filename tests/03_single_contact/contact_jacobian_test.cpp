@@ -24,7 +24,8 @@ EXERCISE_TEST(ContactJacobian, TurnsABodyAboutItsContactPoint) {
        {twist(-n, Vec3(0, 2, 0)), "The sign: n points from i to j, so j is pushed along +n."},
        {twist(Vec3(0, -2, 0), n), "The linear part comes first, then the angular one."},
        {twist(n, Vec3(1, 0, 0)), "This used r_i for body j. Each body has its own lever arm."},
-       {twist(n, Vec3(2, 0, -1)), "The angular block is a cross product, r_j × n."}},
+       {twist(n, Vec3(2, 0, -1)), "The angular block is a cross product, r_j × n."},
+       {twist(zero, zero), "Body 1 has no block. Each body has one, whatever its number."}},
       "Gj = (n, r_j × n).");
   expect_near_vector(
       "Gi for n = (0, 0, 1), r_i = (0, 1, 1), r_j = (2, 0, -1)", "Eq. (3.3)", G.Gi, twist(down, Vec3(-1, 0, 0)),
@@ -33,7 +34,8 @@ EXERCISE_TEST(ContactJacobian, TurnsABodyAboutItsContactPoint) {
        {twist(down, Vec3(1, 0, 0)), "The sign of the angular block: both parts of Gi have a minus."},
        {twist(down, zero), "The angular block is missing: a push beside the centre also turns the body."},
        {twist(Vec3(-1, 0, 0), down), "The linear part comes first, then the angular one."},
-       {twist(down, Vec3(0, 2, 0)), "This used r_j for body i. Each body has its own lever arm."}},
+       {twist(down, Vec3(0, 2, 0)), "This used r_j for body i. Each body has its own lever arm."},
+       {twist(zero, zero), "Body 0 has no block. Each body has one, whatever its number."}},
       "Gi = (-n, -r_i × n).");
 }
 

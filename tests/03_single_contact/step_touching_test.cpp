@@ -69,16 +69,19 @@ const Tolerance of_the_stages = {1e-11,
 
 EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
   Random random;
-  for (const auto& [on_static, is_open] :
-       {std::pair(false, false), std::pair(true, false), std::pair(false, true)}) {
+  const int none = -1;
+  for (const auto& [held, is_open] :
+       {std::pair(none, false), std::pair(2, false), std::pair(0, false), std::pair(none, true)}) {
     auto [all, contact] = two_touch(random);
     if (is_open) contact.gap = 0.02;  // it closes within the step
+    const bool on_static = held != none;
+    all.bodies[2].omega = 3 * contact.r_i.cross(contact.n);
     if (on_static) {
-      all.bodies[2].mass = 0;
-      all.bodies[2].v.setZero();
-      all.bodies[0].v = -3 * contact.n;
+      RigidBody& floor = all.bodies[held];
+      floor.mass = 0;
+      floor.v = floor.omega = Vec3::Zero();
+      all.bodies[2 - held].v = (held == 2 ? -3 : 3) * contact.n;
     }
-    all.bodies[2].omega = on_static ? Vec3::Zero() : Vec3(3 * contact.r_i.cross(contact.n));
     const double h = 0.1;
     Simulation got = all, free = all, left_alone = touched(all, contact, h);
     step_touching(got, contact, h);
@@ -86,7 +89,8 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
     left_alone.bodies[1] = all.bodies[1];
     expect_same_bodies(
         std::string("after a step of 0.1 s in which two of three ") +
-            (is_open ? "come together, with a gap of 0.02 m at first" : "touch"),
+            (is_open ? "come together, with a gap of 0.02 m at first" : "touch") +
+            (on_static ? std::string(", of which ") + (held == 2 ? "i" : "j") + " is static" : ""),
         "Eq. (3.10), (3.11)", got, touched(all, contact, h), of_the_stages,
         {{free,
           is_open
@@ -107,7 +111,8 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
           "n·Kn has the masses only. K of chapter 03 has a part by which the bodies turn, too: "
           "collision_matrix."},
          {touched(all, contact, h, {.turns = false}),
-          "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},
+          on_static ? "The impulse does not turn the body: V has an angular part, I⁻¹ (r × J)."
+                    : "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},
          {touched(all, contact, h, {.axes_unturned = true}),
           "The inertias are those along the bodies' own axes. inverse_mass_of has them in the world."},
          {touched(all, contact, h, {.masses_of_i = true}),

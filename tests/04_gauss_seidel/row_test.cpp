@@ -124,9 +124,10 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   t.c.i = 2;  // and none is 0, which could be a number that was never set
   t.c.j = 1;
   // λ begins at 0, as V does, for any bounds. The first update projects it.
-  for (const double lo : {0.25, -0.75}) {
+  for (const auto& [lo, hi] : {std::pair(0.25, 0.75), std::pair(-0.75, -0.25), std::pair(0.0, 0.5),
+                               std::pair(-0.5, 0.0), std::pair(0.0, 0.0)}) {
     t.c.lo = lo;
-    t.c.hi = lo + 0.5;
+    t.c.hi = hi;
     const Row<6> row = make_row(t.c, t.motion);
     expect_true("the row has the constraint's bodies", "Eq. (4.3)", row.i == t.c.i && row.j == t.c.j,
                 "Copy i and j, in that order.");

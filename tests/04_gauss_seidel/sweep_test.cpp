@@ -274,13 +274,16 @@ EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
     p.rows[0].hi = c.hi;
     set_lambda(p, Eigen::VectorXd::Constant(1, c.lambda));
     const auto lacks = [&](double next) { return 0.625 * std::abs(next - c.lambda); };
-    expect_near("residual of one row with B = " + show(c.B) + " m/s, " + show(c.lo) + " <= λ <= " + show(c.hi) +
-                    " and λ = " + show(c.lambda) + " N s [m/s]",
-                "Eq. (4.8)", residual(p.rows, p.V), lacks(c.next), roundings(16, 4),
-                {{lacks(1.6 * c.B), "This row was not projected at all."},
-                 {lacks(std::max(1.6 * c.B, 0.0)),
-                  "This row was projected on 0 and infinity, a contact's bounds. It has bounds of its own."}},
-                "Project on this row's own bounds, row.lo and row.hi.");
+    expect_near(
+        "residual of one row with B = " + show(c.B) + " m/s, " + show(c.lo) + " <= λ <= " + show(c.hi) +
+            " and λ = " + show(c.lambda) + " N s [m/s]",
+        "Eq. (4.8)", residual(p.rows, p.V), lacks(c.next), roundings(16, 4),
+        {{0.625 * std::abs(c.next - std::clamp(c.lambda, c.lo, c.hi)),
+          "This counts nothing of the way from λ back to its bounds. Subtract λ as it is, not clamped."},
+         {lacks(1.6 * c.B), "This row was not projected at all."},
+         {lacks(std::max(1.6 * c.B, 0.0)),
+          "This row was projected on 0 and infinity, a contact's bounds. It has bounds of its own."}},
+        "Project on this row's own bounds, row.lo and row.hi.");
   }
 }
 

@@ -21,11 +21,16 @@ struct AnyContact {
 EXERCISE_TEST(FrictionConstraints, PointAlongTheTangents) {
   const AnyContact touch;
   const Contact& contact = touch.contact;
-  const auto constraints = friction_constraints<6>(contact, touch.t, 0.5, rigid);
   const Vec3 &r_i = contact.r_i, &r_j = contact.r_j, &n = contact.n;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Vec3 &t = k == 0 ? touch.t.t1 : touch.t.t2, &other = k == 0 ? touch.t.t2 : touch.t.t1;
-    const std::string name = std::to_string(k + 1);
+  for (std::size_t row = 0; row < 4 && !::testing::Test::HasFailure(); ++row) {
+    const std::size_t k = row % 2;
+    const bool left_handed = row >= 2;
+    const Tangents both{touch.t.t1, left_handed ? Vec3(-touch.t.t2) : touch.t.t2};
+    const auto constraints = friction_constraints<6>(contact, both, 0.5, rigid);
+    const Vec3 &t = k == 0 ? both.t1 : both.t2, &other = k == 0 ? both.t2 : both.t1;
+    const Vec3 own = k == 0 ? other : n.cross(both.t1);
+    const std::string name = std::to_string(k + 1) + (left_handed ? ", for t1 × t2 = -n" : "");
+    const std::string made = "This is along n × t1. Use t2 as it is given.";
     const std::string normal = "This is the row of the contact itself, along n. Friction acts along a tangent.";
     const std::string same =
         k == 0 ? "This is along t2: t1 comes first." : "This is along t1 again: the second is along t2.";
@@ -35,6 +40,7 @@ EXERCISE_TEST(FrictionConstraints, PointAlongTheTangents) {
                        twist(t, r_j.cross(t)), roundings(8, 2),
                        {{twist(n, r_j.cross(n)), normal},
                         {twist(other, r_j.cross(other)), same},
+                        {twist(own, r_j.cross(own)), made},
                         {twist(t, Vec3::Zero()), flat},
                         {twist(t, r_i.cross(t)), arms},
                         {twist(t, t.cross(r_j)), "This is t × r_j. The torque of a push t at r is r × t."},
@@ -46,6 +52,7 @@ EXERCISE_TEST(FrictionConstraints, PointAlongTheTangents) {
         roundings(8, 2),
         {{twist(-n, -r_i.cross(n)), normal},
          {twist(-other, -r_i.cross(other)), same},
+         {twist(-own, -r_i.cross(own)), made},
          {twist(-t, Vec3::Zero()), flat},
          {twist(-t, -r_j.cross(t)), arms},
          {twist(t, r_i.cross(t)),

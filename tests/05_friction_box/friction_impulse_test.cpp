@@ -26,6 +26,7 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
       Vec3(0, 1.5, -0.5), roundings(16, 2),
       {{Vec3(0, -1.5, 0.5), "The sign: this accelerates a sliding body. λ is opposite to u."},
        {Vec3(0, 2, -2 / 3.5), "Γ is missing: divide by t·Kt + Γ."},
+       {Vec3(0, 1.5, -1), "Both rows divide by t1·Kt1 + Γ. Along t2 the point moves by t2·Kt2."},
        {Vec3(0, 3, -2 / 3.0), "The sign of Γ: divide by t·Kt + Γ."},
        {Vec3(0, 6, -4), "K is missing: divide by t·Kt + Γ."},
        {Vec3(0, 3, -2), "This is -u along the tangents, in m/s. Divide by t·Kt + Γ."},

@@ -17,6 +17,7 @@ Crowd joined_crowd(Random& random, int bodies, int contacts, int joints) {
   made.all.viscosity = 1e3;
   for (int n = 0; n < joints; ++n) {
     PointJoint joint{n % bodies, (n + 1) % bodies, random.vector(0.3), random.vector(0.3)};
+    if (n % 5 == 4) joint.i = (n - 1) % bodies, joint.j = n % bodies;  // those of the one before
     joint.length = n % 2 ? random.uniform(0.5, 1) : 0;
     joint.k = random.uniform(100, 200);
     joint.d = random.uniform(0.2, 0.3);
@@ -41,6 +42,8 @@ EXERCISE_TEST(StepJoints, HasItsStagesInOrder) {
        "The contacts with a gap above 0 are missing. They may close within the step."},
       {{.joints_last = true}, "The rows of the joints come last. Put them first."},
       {{.joints_as_contacts = true}, "The joints have the k and d of contacts: each has its own."},
+      {{.joints_d_of_contacts = true}, "The joints have the d of contacts: each has its own."},
+      {{.one_joint_a_pair = true}, "Of two joints between the same bodies one is missing: each has its rows."},
       {{.points_unturned = true},
        "p is in body coordinates. Eq. (6.1) converts it to world coordinates, r = q "
        "p."},

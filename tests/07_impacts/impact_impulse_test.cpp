@@ -101,6 +101,17 @@ EXERCISE_TEST(ImpactImpulse, IsThatOfTheNotesWhereItLosesEnergy) {
          {Vec3::Zero(), "They approach each other, u·n < 0: there must be an impulse."}},
         "Eq. (7.3) if it is inside the cone, else Eq. (7.5); only if energy would be added, Eq. (7.7).");
   }
+  if (::testing::Test::HasFailure()) return;
+  given().clear();
+  const Vec3 n(0, 0, 1), u(0, 0, -1);  // no slip, but a push along n makes one
+  const Vec3 stick = stick_impulse(K_of_rod(), u, n, 0.5), J = impact_impulse(K_of_rod(), u, n, 0.5, 0.1);
+  if ((J - stick).norm() < 1e-9) this_failure_explains();
+  expect_near_vector(
+      "J of a rod at 45° that comes straight down, e = 0.5, μ = 0.1 [N s]", "Eq. (7.5)", J, Vec3(0.6 * n),
+      roundings(64, 2),
+      {{stick,
+        "This sticks, although |J_t| > μ J_n: use inside_cone without a slip, too, since K may couple."}},
+      "Without slip the impulse of Eq. (7.5) is along n.");
 }
 
 EXERCISE_TEST(ImpactImpulse, SlidesOnIce) {

@@ -329,6 +329,11 @@ EXERCISE_TEST(ResolveImpacts, CountsImpactsAndPasses) {
   expect_near("passes, contacts listed from the last ball on", "Eq. (7.10)", twice.passes, 3, {0, "a count"},
               {{2, "The last pass, which finds none, counts as well."}},
               "One for each impact, and one that finds none.");
+  Motion<3> closing = row_of_balls({2, 1, 0});  // the first two meet twice
+  expect_near("impacts of three balls at 2, 1 and 0 m/s, the faster ones behind", "Eq. (7.13)",
+              resolve_impacts(forwards, law, closing).impacts, 3, {0, "a count"},
+              {{2, "A contact with two impacts counts once. Count impacts, not contacts."}},
+              "The first two balls meet again when the second has met the third.");
   expect_near("impacts of balls that separate", "Eq. (7.10)", none.impacts, 0, {0, "a count"});
   expect_near("passes over balls that separate", "Eq. (7.10)", none.passes, 1, {0, "a count"},
               {{0, "The pass that finds none counts as well."}});

@@ -60,8 +60,11 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
       return assembled(after_impacts(all, touching, h, law, kicked), touching, h);
     };
     const ImpactLaw law = law_of(all, h);
-    ImpactLaw smooth = law, eager = law;
-    smooth.friction = 0, eager.threshold = 1e-9;
+    ImpactLaw smooth = law, eager = law, vertical = law;
+    smooth.friction = 0, eager.threshold = 1e-9, vertical.threshold = std::abs(all.gravity.z()) * h;
+    const std::string too_small =
+        "The threshold is too small: ImpactLaw's default, or a component of gravity. It is |gravity| h, Eq. "
+        "(7.10).";
     const Simulation without = assembled(all, contacts, h);
     Simulation got = all, no_spin = after_impacts(all, contacts, h, law), late = no_spin;
     step_impacts(got, contacts, h);
@@ -85,9 +88,8 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
          {assembled(late, contacts, h),
           "The bodies have got W + W_f/2. That is for Eq. (7.1) only: W stays at t_n - h/2."},
          {step_after(smooth), "The impacts have no friction: use the simulation's mu."},
-         {step_after(eager),
-          "The threshold is too small: ImpactLaw's default, or a component of gravity. It is |gravity| h, Eq. "
-          "(7.10)."}},
+         {step_after(eager), too_small},
+         {step_after(vertical), too_small}},
         "First the impacts, on W at t_n - h/2; then the step of chapter 06, with the velocities that they "
         "leave.");
   }

@@ -56,6 +56,10 @@ EXERCISE_TEST(ImpactWork, IsTheChangeOfKineticEnergyOfTwoBoxes) {
                 {{J.dot(u + K * J), "½ is missing: J·(u + ½ K J)."},
                  {J.dot(u + K * J) / 2, "½ is in the wrong place: it belongs to K J alone."},
                  {J.dot(u), "The velocity changes while J acts: by ½ K J on average."},
+                 {J.dot(u + Mat3(K.triangularView<Eigen::Upper>()) * J / 2),
+                  "This reads the upper triangle of K alone. All nine entries count."},
+                 {J.dot(u + Vec3(K.diagonal().cwiseProduct(J)) / 2),
+                  "This reads the diagonal of K alone. All nine entries count."},
                  {before - after, "The sign: what is added to the energy, + when they get faster."}},
                 "Against ½ m v² + ½ ω·Iω of both boxes, before and after.");
   }

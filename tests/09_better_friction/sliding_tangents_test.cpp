@@ -70,10 +70,18 @@ EXERCISE_TEST(SlidingTangents, TakeAnyWhereNothingSlides) {
   // Along the axes, where u - (n·u) n is 0 exactly; and anywhere, where it is roundings. Those may lie along n, too:
   // a `slow` of 0 would say that they have a direction.
   const Vec3 anywhere = random.unit_vector();
+  std::vector<Tangents> before;
   for (const Vec3& n : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), anywhere})
     for (const double slow : {n == anywhere ? 1e-14 : 0.0, 1e-6}) {
       const std::string with = ", n = " + show(n) + ", slow = " + show(slow) + " m/s";
-      expect_frame("u = 0" + with, n, sliding_tangents(n, Vec3::Zero(), slow), clue);
+      const Tangents got = sliding_tangents(n, Vec3::Zero(), slow);
+      const bool kept = std::any_of(before.begin(), before.end(),
+                                    [&](const Tangents& old) { return got.t1 == old.t1 && got.t2 == old.t2; });
+      if (kept) this_failure_explains();
+      expect_frame(
+          "u = 0" + with, n, got,
+          kept ? "These are the tangents of another normal: are they kept in a static variable?" : clue);
+      if (slow > 0) before.push_back(got);
       expect_frame("u = -5 m/s along n" + with, n, sliding_tangents(n, -5 * n, slow), clue);
       if (::testing::Test::HasFailure()) return;
     }

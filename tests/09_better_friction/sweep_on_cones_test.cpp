@@ -150,10 +150,11 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
     const System<6> before = s;
     const double got = sweep_on_cones(s.contacts, s.rows, s.V);
     const Eigen::VectorXd change = all_lambda(s.rows) - all_lambda(before.rows);
-    double rows = 0, pairs = 0, impulse = 0, last = 0;
+    double rows = 0, pairs = 0, joints = 0, impulse = 0, last = 0;
     for (const Eigen::Index k : {0, 1, 4, 5, 8}) {
       last = s.rows[static_cast<std::size_t>(k)].diagonal * std::abs(change[k]);
       rows = std::max(rows, last);
+      if (k != 1 && k != 5) joints = std::max(joints, last);
       impulse = std::max(impulse, std::abs(change[k]));
     }
     for (const FrictionContact& contact : s.contacts) {
@@ -166,6 +167,7 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
                 "Eq. (9.6), (4.9)", got, std::max(rows, pairs), roundings(1000, 20),
                 {{rows, "Friction is missing: what update_friction returns counts, too."},
                  {pairs, "Only the friction rows have been counted."},
+                 {std::max(joints, pairs), "The normal rows of contacts are missing: they count, too."},
                  {impulse, "This is the largest |Δλ|, an impulse. Times S_kk, or s, it is a velocity."},
                  {last, "This is the last row's, not the largest."}},
                 "The largest S_kk |Δλ_k| of the rows, and s |Δλ_t| of the pairs.");

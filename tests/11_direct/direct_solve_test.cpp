@@ -484,6 +484,17 @@ EXERCISE_TEST(DirectSolve, RemembersNoCallBefore) {
     expect_near_vector("impulses of a contact that occurs 3 times, in a second call [N s]", "Eq. (11.13)",
                        again, first, {0, "equal input, equal result"}, {},
                        "A value is left over from the call before: from a static variable, perhaps.");
+  Factors factors;
+  for (const double ratio : {1.0, 1e3}) {
+    System<3> s = HangingWire{.links = 10, .ratio = ratio, .k = 1e8, .h = 1.0 / 60}.system();
+    const SolveReport report = direct_solve(s.rows, s.V, exact, factors);
+    expect_near(
+        "factorisations of a wire of 10 links with a load of " + show(ratio) +
+            ":1, with the factors of the wire before",
+        "Eq. (11.3)", static_cast<double>(report.history.size()), 1,
+        {0, "without bounds one factorisation suffices"}, {},
+        "The pattern is that of the wire before, but the numbers are others: factorise S in every call.");
+  }
 }
 
 EXERCISE_TEST(DirectSolve, OfNothingIsDone) {

@@ -43,6 +43,15 @@ EXERCISE_TEST(InteriorSolve, AgreesWithEveryEnumeratedProblem) {
       Solved solved;
       solve_bounded(p, exact, solved);
       const std::string what = std::to_string(rows) + " rows with bounds";
+      Solved again;
+      solve_bounded(p, exact, again);
+      if (again.report.history != solved.report.history || again.lambda != solved.lambda)
+        this_failure_explains();
+      expect_true(
+          "the result for " + what + " is the same in a second call", "Eq. (11.13)",
+          again.report.history == solved.report.history && again.lambda == solved.lambda,
+          "A value is kept from one call to the next, in a static or a global variable. The result must "
+          "depend on the arguments only.");
       expect_solved(what, solved);
       const VectorXd expected = enumerate_solution(p), free = solution_of(p.S, p.B);
       expect_near_vector(

@@ -53,7 +53,10 @@ EXERCISE_TEST(GeometricStiffness, FollowsALinkThatNearlyLiesAlongAnAxis) {
     expect_near_vector<Vec3>(
         "K of a link of 3 m that leans by " + show(part) + " from z, under 12 N, times z [N/m]", "Eq. (12.3)",
         K.col(2), 4 * Vec3(-n.x() * n.z(), -n.y() * n.z(), n.x() * n.x() + n.y() * n.y()), roundings(8, 4),
-        {{Vec3::Zero(), "It was treated as a link along z. " + small_is_dropped}}, small_is_dropped);
+        {{Vec3::Zero(), "It was treated as a link along z. " + small_is_dropped},
+         {4 * Vec3(-n.x() * n.z(), n.y() * n.z(), n.x() * n.x() + n.y() * n.y()),
+          "The signs of n are lost: n nᵀ has the entry n_y n_z, which is negative here."}},
+        small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -43,11 +43,12 @@ inline Mat3 across(const Vec3& n, double k) {
 }
 
 /// A chain from the first body to the last, and some more springs between any two, in either order. Of the bodies,
-/// `fixed` are static.
-inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
+/// `fixed` are static: the first ones, or the last ones.
+inline Springs random_springs(Random& random, int bodies, int fixed, int more, bool last_are_fixed = false) {
   Springs s{.h = random.log_uniform(1e-3, 0.1)};
   for (int body = 0; body < bodies; ++body) {
-    const double inverse_mass = body < fixed ? 0 : 1 / random.log_uniform(0.1, 10);
+    const bool is_fixed = last_are_fixed ? body >= bodies - fixed : body < fixed;
+    const double inverse_mass = is_fixed ? 0 : 1 / random.log_uniform(0.1, 10);
     const Vec3 W = random.vector(3), Wf = random.vector(0.2);
     s.add(inverse_mass, W, Wf);
   }

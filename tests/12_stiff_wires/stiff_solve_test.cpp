@@ -89,7 +89,7 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
-    Springs s = random_springs(random, bodies, fixed, random.integer(0, 4));
+    Springs s = random_springs(random, bodies, fixed, random.integer(0, 4), repeat % 2 == 1);
     if (repeat == 9) s.h = 0;  // then there is no K
     const std::vector<Vec3>&Wf = s.motion.Wf, none(Wf.size(), Vec3::Zero());
     std::vector<Vec3> whole, back;
@@ -214,6 +214,15 @@ EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
                              {1e-10, "round-off times a condition of up to 1e5"},
                              {{Vec3(7, 7, 7), "V is as it was before: without springs it is set, too."}},
                              "Without springs M̃ is M, and this is chapter 11's solve.");
+  Springs without_rows{.h = 0.5};
+  without_rows.add(1, Vec3::Zero(), Vec3::Zero());
+  without_rows.add(1, Vec3::Zero(), Vec3(3, 3, 3));
+  without_rows.stiffness = {{.i = 0, .j = 1, .K = 4 * Mat3::Identity()}};  // h²K is 1 kg, and so are the masses
+  const Vec3 V0 = solved(without_rows).V.head<3>();
+  if (V0 == Vec3::Zero()) this_failure_explains();
+  expect_near_vector("V of body 0 on a spring, without rows [m/s]", "Eq. (12.6)", V0, Vec3(1, 1, 1),
+                     roundings(16), {{Vec3::Zero(), "Nothing is solved without rows. The springs are there."}},
+                     "M̃ V = -h² K W_f without rows.");
 }
 
 EXERCISE_TEST(StiffSolve, KnowsNoBounds) {

@@ -51,11 +51,12 @@ EXERCISE_TEST(StiffenedMatrix, PutsASpringBetweenTwoPoints) {
 
 EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   Random random;
-  Regions regions({"i above j", "i below j", "a spring to a static i", "a spring to a static j",
+  Regions regions({"i above j", "i below j", "a spring to a static i above j", "a spring to a static i below j",
+                   "a spring to a static j above i", "a spring to a static j below i",
                    "a pair with two springs", "no body is static", "a step of no time"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
-    Springs s = random_springs(random, bodies, fixed, random.integer(0, 6));
+    Springs s = random_springs(random, bodies, fixed, random.integer(0, 6), random.integer(0, 1) == 1);
     if (random.integer(0, 4) == 0) s.h = 0;
     for (const bool i_above_j : {false, true}) {  // rows whose two blocks have nothing in common
       const int other = random.integer(0, bodies - 2), last = bodies - 1;
@@ -74,10 +75,14 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
     regions.draw(
         {{"i above j", any([](const Stiffness& one) { return one.i > one.j; })},
          {"i below j", any([](const Stiffness& one) { return one.i < one.j; })},
-         {"a spring to a static i",
-          any([&](const Stiffness& one) { return !s.moves(one.i) && s.moves(one.j); })},
-         {"a spring to a static j",
-          any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j); })},
+         {"a spring to a static i above j",
+          any([&](const Stiffness& one) { return !s.moves(one.i) && s.moves(one.j) && one.i > one.j; })},
+         {"a spring to a static i below j",
+          any([&](const Stiffness& one) { return !s.moves(one.i) && s.moves(one.j) && one.i < one.j; })},
+         {"a spring to a static j above i",
+          any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j) && one.j > one.i; })},
+         {"a spring to a static j below i",
+          any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j) && one.j < one.i; })},
          {"a pair with two springs", pairs.size() < s.stiffness.size()},
          {"no body is static", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })},
          {"a step of no time", s.h == 0}});

@@ -109,7 +109,24 @@ bool same_bits(const Outcome& a, const Outcome& b) {
                     [](double x, double y) { return same_bits(x, y); });
 }
 
-bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call) {
+static double another(double x) {
+  return x * 1.01;
+}
+
+static void report_a_kept_value(const std::string& equation) {
+  this_failure_explains();
+  report_failure("the same call again, after others", equation,
+                 "  expected  the same to the last digit\n  got       something else\n",
+                 "A value is kept from one call to the next: is there a static or a global variable, or "
+                 "one that never got a value? The result must depend on the arguments only, on all of them.");
+}
+
+bool compare_calls(const std::string& equation,
+                   const std::function<Outcome(const UnitSystem&, Replacing&)>& with) {
+  const auto call = [&](const UnitSystem& system) {
+    Replacing none;
+    return with(system, none);
+  };
   const Outcome first = call({});
   if (!first.thrown.empty()) {
     report_failure("a call with valid numbers", equation,
@@ -127,15 +144,18 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
   for (const UnitSystem& system : systems) {
     const Outcome other = call(system);
     if (!same_bits(call({}), first) || !same_bits(call(system), other)) {
-      this_failure_explains();
-      report_failure("the same call again, after others", equation,
-                     "  expected  the same to the last digit\n  got       something else\n",
-                     "A value is kept from one call to the next: is there a static or a global variable, or "
-                     "one that never got a value? The result must depend on the arguments only.");
+      report_a_kept_value(equation);
       return false;
     }
     const std::string differs = difference(other, first);
     if (differs.empty()) continue;
+    // A value that is kept for some of the arguments: after a call in which all are others, it is computed again.
+    Replacing every(Replacing::every, another);
+    with({}, every);
+    if (!same_bits(call(system), other)) {
+      report_a_kept_value(equation);
+      return false;
+    }
     report_failure(std::string("the same, with ") + system.name, equation, differs, clue);
     return false;
   }
@@ -146,15 +166,31 @@ bool nans_are_kept(const std::string& equation, const std::function<Outcome(Repl
   Replacing none;
   const Outcome first = call(none);
   for (int which = 0; which < none.numbers(); ++which) {
-    Replacing a_little(which, [](double x) { return x == 0 ? 1e-3 : x * 1.001; });
-    const Outcome other = call(a_little);
+    const auto a_little = [&] {
+      Replacing one(which, [](double x) { return x == 0 ? 1e-3 : x * 1.001; });
+      return call(one);
+    };
+    const Outcome other = a_little();
+    Replacing every(Replacing::every, another);
+    call(every);
+    if (!same_bits(a_little(), other)) {
+      report_a_kept_value(equation);
+      return false;
+    }
     if (!other.thrown.empty() || same_bits(other, first)) continue;
-    Replacing not_a_number(which, [](double) { return std::nan(""); });
+    const auto nan = [](double) { return std::nan(""); };
+    Replacing not_a_number(which, nan);
     const Outcome lost = call(not_a_number);
     const bool is_one =
         std::any_of(lost.numbers.begin(), lost.numbers.end(), [](double x) { return std::isnan(x); });
     const bool is_no = lost.counts != first.counts || lost.numbers.size() != first.numbers.size();
     if (is_one || is_no || !lost.thrown.empty()) continue;
+    Replacing again(which, nan);
+    call(every);
+    if (!same_bits(call(again), lost)) {
+      report_a_kept_value(equation);
+      return false;
+    }
     const std::string was = quantity(not_a_number.was(), not_a_number.unit(), 3);
     report_failure("the result with a NaN in place of " + was + " in " + not_a_number.place(), equation,
                    "  expected  a NaN\n  got       numbers\n",

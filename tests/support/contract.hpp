@@ -7,7 +7,8 @@
 //                            v * (m / s), f * N, 1 / mass * (1 / kg), h * s);  // its arguments with their units
 //
 // The test also checks three other rules: const arguments do not change; the same call gives the same answer again,
-// after any other calls; and a NaN in the input gives a NaN, by rule 2 of NUMBERS.md.
+// after any other calls, also one in which every number is another; and a NaN in the input gives a NaN, by rule 2 of
+// NUMBERS.md.
 #include <functional>
 #include <tuple>
 #include <type_traits>
@@ -65,13 +66,14 @@ class Reading : public Visitor {
   bool everything_, fixed_ = false;
 };
 
-/// Replaces one number by another, and remembers which.
+/// Replaces one number by another, and remembers which; or replaces every number.
 class Replacing : public Visitor {
  public:
+  static constexpr int every = -2;
   explicit Replacing(int which = -1, double (*by)(double) = nullptr) : which_(which), by_(by) {}
   void next_argument() { ++argument_; }
   void number(double& value, const Unit& unit) override {
-    if (count_++ != which_) return;
+    if (count_++ != which_ && !replaces_every()) return;
     place_ = "argument " + std::to_string(argument_);
     was_ = value, unit_ = unit;
     value = by_(value);
@@ -79,6 +81,7 @@ class Replacing : public Visitor {
   void bound(double&, const Unit&) override {}
   void count(long long) override {}
 
+  bool replaces_every() const { return which_ == every; }
   int numbers() const { return count_; }
   const std::string& place() const { return place_; }
   double was() const { return was_; }
@@ -104,11 +107,13 @@ bool stayed(Quantity& before, Quantity& after, bool may_change) {
 
 /// Calls the function in SI units, in other units, and in SI units again. Returns false, and adds a failure, if the
 /// outcomes differ.
-bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call);
+bool compare_calls(const std::string& equation,
+                   const std::function<Outcome(const UnitSystem&, Replacing&)>& call);
 
 /// Finds the numbers whose change by a thousandth changes the outcome, and calls the function with a NaN in place of
 /// each. Returns false, and adds a failure, if the outcome then contains numbers only. A shorter list, or another yes
-/// or no, is an accepted answer: rule 3 of NUMBERS.md.
+/// or no, is an accepted answer: rule 3 of NUMBERS.md. Repeats the call with a changed number after one with other
+/// numbers, and adds a failure if the outcome is another.
 bool nans_are_kept(const std::string& equation, const std::function<Outcome(Replacing&)>& call);
 
 /// The parameters of a function.
@@ -160,7 +165,9 @@ template <class Function, class Units, class... All>
 Outcome outcome_of(const UnitSystem& system, Replacing& replacing, const Function& function,
                    const Units& units_of_result, const All&... all) {
   using Known = Parameters<std::decay_t<Function>>;
-  auto arguments = std::tuple(as_quantity(all)...);
+  // Other numbers are at other addresses, too: a value may be kept for an address.
+  std::array places{std::tuple(as_quantity(all)...), std::tuple(as_quantity(all)...)};
+  auto& arguments = places[replacing.replaces_every()];
   Outcome outcome;
   Converting there(system, false), back(system, true);
   const auto prepare = [&](auto& argument) {
@@ -207,9 +214,8 @@ Outcome outcome_of(const UnitSystem& system, Replacing& replacing, const Functio
 template <class Function, class Units, class... All>
 bool expect_same_in_any_units_nans_aside(const std::string& equation, const Function& function,
                                          const Units& units_of_result, const All&... all) {
-  return compare_calls(equation, [&](const UnitSystem& system) {
-    Replacing none;
-    return outcome_of(system, none, function, units_of_result, all...);
+  return compare_calls(equation, [&](const UnitSystem& system, Replacing& replacing) {
+    return outcome_of(system, replacing, function, units_of_result, all...);
   });
 }
 

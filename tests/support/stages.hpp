@@ -26,9 +26,14 @@ struct Stages {
   bool normals_first = false;       ///< the rows of all normals, then those of all tangents
   bool without_joints = false;
   bool joints_last = false;
-  bool joints_as_contacts = false;  ///< k and d of contacts for joints
-  bool points_unturned = false;     ///< r = p
-  bool length_ignored = false;      ///< ball joints only
+  bool joints_as_contacts = false;    ///< k and d of contacts for joints
+  bool points_unturned = false;       ///< r = p
+  bool length_ignored = false;        ///< ball joints only
+  bool coincident_once = false;       ///< no row for a contact at the points of the one before
+  bool one_way_weight = false;        ///< no friction where gravity pulls along n
+  bool tangents_of_first = false;     ///< the first contact's tangents for all
+  bool one_joint_a_pair = false;      ///< no rows for a second joint of two bodies
+  bool joints_d_of_contacts = false;  ///< k of the joint, d of contacts
 };
 
 inline int contacts_between(const std::vector<Contact>& contacts, int i, int j) {
@@ -37,15 +42,23 @@ inline int contacts_between(const std::vector<Contact>& contacts, int i, int j) 
   return count;
 }
 
+inline bool are_coincident(const Contact& a, const Contact& b) {
+  return a.i == b.i && a.j == b.j && a.r_i == b.r_i && a.r_j == b.r_j;
+}
+
 inline std::vector<Constraint<6>> joint_constraints(const Simulation& all, double h, const Stages& stages) {
   std::vector<Constraint<6>> constraints;
   for (const PointJoint& joint : all.joints) {
+    const auto same_bodies = [&](const PointJoint& other) { return other.i == joint.i && other.j == joint.j; };
+    if (stages.one_joint_a_pair && &*std::find_if(all.joints.begin(), all.joints.end(), same_bodies) != &joint)
+      continue;
     const auto attached = [&](int body, const Vec3& p) {
       const RigidBody& to = all.bodies[static_cast<std::size_t>(body)];
       return Attachment{.body = body, .x = to.x, .r = stages.points_unturned ? p : Vec3(to.q * p)};
     };
     const SpookParameters spook =
-        stages.joints_as_contacts ? spook_parameters(h, all.k, all.d) : spook_parameters(h, joint.k, joint.d);
+        spook_parameters(h, stages.joints_as_contacts ? all.k : joint.k,
+                         stages.joints_as_contacts || stages.joints_d_of_contacts ? all.d : joint.d);
     const Attachment i = attached(joint.i, joint.p_i), j = attached(joint.j, joint.p_j);
     if (joint.length > 0 && !stages.length_ignored)
       constraints.push_back(distance_constraint<6>(i, j, joint.length, spook));
@@ -63,6 +76,8 @@ inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
   std::vector<Constraint<6>> constraints, tangential;
   for (const Contact& contact : contacts) {
     if (stages.overlapping_only && contact.gap > 0) continue;
+    const Contact* const before = &contact == contacts.data() ? nullptr : &contact - 1;
+    if (stages.coincident_once && before && are_coincident(*before, contact)) continue;
     const auto [Gi, Gj] = contact_jacobian(contact);
     constraints.push_back(
         {.i = contact.i, .j = contact.j, .Gi = Gi, .Gj = Gj, .gap = contact.gap, .spook = spook});
@@ -71,10 +86,14 @@ inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
       return inverse_mass_of(all.bodies[static_cast<std::size_t>(body)]).linear;
     };
     const int count = stages.counts_no_pairs ? 1 : contacts_between(contacts, contact.i, contact.j);
-    const double g = stages.whole_gravity ? all.gravity.norm() : std::abs(all.gravity.dot(contact.n));
+    const double along = all.gravity.dot(contact.n);
+    const double g = stages.whole_gravity    ? all.gravity.norm()
+                     : stages.one_way_weight ? std::max(0.0, -along)
+                                             : std::abs(along);
+    const Vec3& n = stages.tangents_of_first ? contacts.front().n : contact.n;
     const double bound =
         friction_bound(all.mu, representative_mass(inverse(contact.i), inverse(contact.j), count), g, h);
-    for (const Constraint<6>& along : friction_constraints<6>(contact, tangents(contact.n), bound, of_friction))
+    for (const Constraint<6>& along : friction_constraints<6>(contact, tangents(n), bound, of_friction))
       (stages.normals_first ? tangential : constraints).push_back(along);
   }
   constraints.insert(constraints.end(), tangential.begin(), tangential.end());
@@ -140,17 +159,22 @@ inline SolveReport solve_of(const Simulation& all, const std::vector<Contact>& c
 }
 
 /// Expects the report of the solve in a step, `step(simulation)`: of all its sweeps, and of a single sweep that is
-/// within the tolerance. `right(simulation)` returns the report of the same rows.
+/// within the tolerance; and with a tolerance that no sweep meets. `right(simulation)` returns the report of the same
+/// rows.
 template <class Step, class Right>
 void expect_report(const std::string& equation, Simulation all, const Step& step, const Right& right,
                    const Tolerance& tolerance) {
-  for (const double enough : {0.0, 1e6}) {
+  for (const double enough : {0.0, 1e-300, 1e6}) {
     all.tolerance = enough;
     const SolveReport expected = right(all);
     Simulation stepped = all;
     const SolveReport got = step(stepped);
     const std::string clue =
-        "The step solves, and returns the report of something else: return that of its solve.";
+        got.history.size() > expected.history.size()
+            ? "More sweeps than the simulation allows: hand both max_sweeps and tolerance to solve. Each of "
+              "the "
+              "two ends it."
+            : "The step solves, and returns the report of something else: return that of its solve.";
     expect_true("as many entries in the history of the report as sweeps in the step, " +
                     std::to_string(expected.history.size()),
                 equation, got.history.size() == expected.history.size(), clue);
@@ -161,7 +185,7 @@ void expect_report(const std::string& equation, Simulation all, const Step& step
   }
 }
 
-/// Bodies, every fifth of them static, with contacts at random places; some pairs have several.
+/// Bodies, every fifth of them static, with contacts at random places; some pairs have several, or two at one place.
 struct Crowd {
   Simulation all;
   std::vector<Contact> contacts;
@@ -187,6 +211,10 @@ inline Crowd crowd(Random& random, int bodies, int contacts) {
     made.contacts.push_back(random_contact(random, i, j));
     const bool twice = random.integer(0, 1) == 1;
     if (twice) made.contacts.push_back(random_contact(random, i, j));
+    if (made.contacts.size() % 4 == 0) {  // at the same points, with another gap
+      made.contacts.push_back(made.contacts.back());
+      made.contacts.back().gap /= 2;
+    }
   }
   return made;
 }
@@ -274,7 +302,9 @@ inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
        "W_f is missing: the rows need the effect of this step's forces. motion_of has it."},
       {{.adds_linear_part_only = true}, "V has an angular part, too: it changes ω."},
       {{.one_by_one = true},
-       "Each row is solved for itself, without the others: put all into one list, and solve that."}};
+       "Each row is solved for itself, without the others: put all into one list, and solve that."},
+      {{.coincident_once = true},
+       "Of two contacts at the same points one is missing: each in the list has its rows."}};
 }
 
 }  // namespace spook::testing
