@@ -152,6 +152,8 @@ EXERCISE_TEST(BallJointConstraints, HoldsPointsThatCoincide) {
     const std::string of = " along " + axis_names[static_cast<std::size_t>(k)] + ", with the points together";
     const Vec3 e = Vec3::Unit(k);
     expect_near("gap" + of + " [m]", "Eq. (6.5)", row.gap, 0, {0, "exact"}, {}, clue);
+    expect_true("the row" + of + " has no bounds", "Eq. (6.4)", row.lo == -infinity && row.hi == infinity,
+                "A joint whose gap is 0 has its three rows, too: they hold the velocities.");
     expect_near_vector("Gj" + of, "Eq. (6.6)", row.Gj, twist(e, j.r.cross(e)), roundings(8), {}, clue);
     expect_near_vector("Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -i.r.cross(e)), roundings(8), {}, clue);
   }

@@ -119,11 +119,12 @@ EXERCISE_TEST(DistanceConstraint, TakesAnyPositiveDistance) {
           roundings(8, std::max(distance, length)),
           {{0, "This small gap has been dropped. The gap is the distance minus the length at any size."}},
           "g = |p_j - p_i| - l.");
-      expect_near_vector(
-          "Gj" + text, "Eq. (6.3)", c.Gj, n, roundings(8),
-          {{Vec3::Zero(), "The direction is missing: this short distance has been treated as 0."},
-           {Vec3(distance / length * n), by_length}},
-          "Gj = n, of length 1 at any distance.");
+      expect_near_vector("Gj" + text, "Eq. (6.3)", c.Gj, n, roundings(8),
+                         {{Vec3::Zero(),
+                           "The direction is missing. Has this short distance been treated as 0? Or a gap of 0 "
+                           "as no constraint? It holds the velocity, too."},
+                          {Vec3(distance / length * n), by_length}},
+                         "Gj = n, of length 1 at any distance.");
       if (::testing::Test::HasFailure()) return;
     }
 }

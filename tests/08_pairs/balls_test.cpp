@@ -162,7 +162,9 @@ EXERCISE_TEST(BallBall, FollowsAnyTwo) {
     const double size = 1 + i.x.norm() + j.x.norm();
     expect_near("gap of random balls [m]", "Eq. (8.2)", found->gap, gap, roundings(64, size),
                 {{-gap, "This is a depth: the gap is negative where they overlap."},
-                 {distance - i.radius, "Only R_i is subtracted."}});
+                 {distance - i.radius, "Only R_i is subtracted."},
+                 {-2 * std::min(i.radius, radius),
+                  "This is the smaller diameter. A ball within another has the gap of Eq. (8.2), too."}});
     expect_near_vector("n of random balls", "Eq. (8.2)", found->n, n, roundings(64, size / distance),
                        {{Vec3(-n), "n points from i to j: this is from j to i."},
                         {Vec3(distance * n), "This has the length of the distance: n is a unit vector."}});

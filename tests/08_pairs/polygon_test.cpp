@@ -77,6 +77,8 @@ EXERCISE_TEST(Clip, KeepsACornerOnThePlaneOnce) {
   const std::vector<Vec3> line = clip(square, Vec3::UnitX(), -1);
   expect_count("a square with a side on the plane, outside", line, 2,
                "Only the two corners on the plane have n·x <= offset; each stays once.");
+  expect_count("a square that is all on the plane", clip(square, Vec3::UnitZ(), square[0].z()), 4,
+               "All corners have n·x <= offset, and stay.");
 }
 
 /// A convex polygon of n corners in a random plane.
@@ -293,7 +295,8 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
   expect_at_most("gap of the deepest that is kept, of " + what + " [m]", "Eq. (8.10)", deepest_of(kept),
                  deepest_of(contacts) + 1e-6 * extent,
                  "that of the deepest of all, and a millionth of the distances",
-                 "The deepest contact describes the overlap best, so it is always kept.");
+                 "The deepest contact describes the overlap best, so it is always kept, wherever it is in the "
+                 "list.");
   if (::testing::Test::HasFailure()) return;
   expect_at_least(
       "how far the mean of all points is within the four, of " + what + " [m]", "Eq. (8.10)",

@@ -156,6 +156,14 @@ EXERCISE_TEST(Precondition, KnowsNoBounds) {
   const Eigen::Vector2d r(-1, -3);
   const auto z = precondition(p.rows, as_std(r), all_free(2), p.V.size());
   const Eigen::MatrixXd S = dense_S(p.rows);
+  const Eigen::Vector2d up =
+      -r;  // λ = 0 is at the lower bound of both rows, but `free` says that they are free
+  expect_near_vector("z of two contacts with positive residuals, λ = 0 [N s]", "Eq. (10.6)",
+                     as_eigen(precondition(p.rows, as_std(up), all_free(2), p.V.size())),
+                     and_back(S, up, forth(S, up)), roundings(32, 4),
+                     {{Eigen::Vector2d(0, 0),
+                       "Both rows have been left out. `free` says which rows are free, whatever λ and bounds "
+                       "are."}});
   expect_near_vector("z of two contacts with negative residuals [N s]", "Eq. (10.6)", as_eigen(z),
                      and_back(S, r, forth(S, r)), roundings(32, 4),
                      {{Eigen::Vector2d(0, 0), "z is a direction, and may be negative: it is not projected."}},
@@ -265,7 +273,14 @@ EXERCISE_TEST(ConjugateSolve, NeedsNoMoreIterationsThanRowsAndOne) {
   for (int rows = 1; rows <= 10; ++rows) {
     Problem<6> p = random_problem(random, 4, rows);
     take_bounds_off(p);
+    Problem<6> again = p;
     const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 200, .tolerance = 1e-9});
+    const SolveReport second = conjugate_solve(again.rows, again.V, {.max_sweeps = 200, .tolerance = 1e-9});
+    if (report.history != second.history) this_failure_explains();
+    expect_true("the history of " + std::to_string(rows) + " rows without bounds is the same in a second call",
+                "Eq. (10.7)", report.history == second.history,
+                "A value is kept from one call to the next, in a static or a global variable. The result must "
+                "depend on the arguments only.");
     expect_at_most("iterations of " + std::to_string(rows) + " rows without bounds, to 1e-9 m/s", "Eq. (10.7)",
                    report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, rows + 1.0,
                    "as many steps as rows, and one iteration that finds convergence",

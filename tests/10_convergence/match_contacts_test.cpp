@@ -111,6 +111,10 @@ EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
   expect_matches("two contacts with the same nearest old one, the nearer listed first",
                  match_contacts(near_first, old, 1), {0, -1}, {{twice, once}},
                  "The nearer contact gets the old one; the other is new.");
+  const auto at_one_place =
+      match_contacts({contact(0, 1, Vec3(0, 0, 0)), contact(0, 1, Vec3(0, 0, 0))}, old, 1);
+  expect_true("of two contacts at the point of an old one, one continues it", "Eq. (10.1)",
+              at_one_place == std::vector<int>{0, -1} || at_one_place == std::vector<int>{-1, 0}, once);
 }
 
 EXERCISE_TEST(MatchContacts, MatchesNoNaN) {

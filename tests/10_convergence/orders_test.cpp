@@ -57,6 +57,8 @@ EXERCISE_TEST(OrderAlong, KeepsEqualHeightsInOrder) {
   expect_order_of("60 rows at two heights", order_along(heights), expected, {},
                   "Equal heights stay in order, since the three rows of a contact belong together. Use "
                   "std::stable_sort, and a comparison that is false for equal heights: <, not <=.");
+  expect_order_of("the order of heights 0, -0, -1, 0, -0", order_along({0.0, -0.0, -1, 0.0, -0.0}),
+                  {2, 0, 1, 3, 4}, {}, "0 and -0 are equal heights, and stay in order.");
 }
 
 EXERCISE_TEST(OrderAlong, PutsANaNLast) {
@@ -212,6 +214,12 @@ EXERCISE_TEST(SweepInOrder, UpdatesTheRowsInThatOrder) {
       {{of_places,
         "This multiplies Δλ of one row by S_kk of another: both are those of the row that is updated."}},
       "As sweep() does: the largest S_kk |Δλ_k|.");
+  Problem<6> second = start;
+  sweep_in_order(backwards, second.rows, second.V);
+  expect_near_vector(
+      "λ of the same rows, swept afterwards in the order 4 1 2 6 0 5 3 [N s]", "Eq. (4.9)", lambdas(second),
+      swept(backwards), roundings(1000, 10),
+      {{swept(order), "This is the order of the call before: is it kept in a static variable?"}});
 }
 
 EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {

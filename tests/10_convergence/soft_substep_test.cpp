@@ -189,7 +189,9 @@ EXERCISE_TEST(SoftSubstep, HasItsStagesInTheirOrder) {
         "λ of " + std::to_string(count) + " rows [N s]", "Eq. (10.15), (10.21)", lambdas(p), expected,
         tolerance,
         {{by_hand({.gap_of_before = true}).first, "The second sweep is to know the gaps after the motion."}},
-        "The second sweep is rigid, and begins from the λ and W of the first. " + ends_early);
+        "The second sweep is rigid, and begins from the λ and W of the first. It updates all rows, those "
+        "without an impulse, too. " +
+            ends_early);
   }
 }
 
