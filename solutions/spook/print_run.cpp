@@ -83,20 +83,33 @@ static std::string stages_text(const RunResult& result) {
   return text + " µs; no other stage ran";
 }
 
-/// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns, or for all.
-static std::string state_text(const RunResult& result, bool all) {
-  const std::size_t most = all ? result.columns.size() : 4;
-  const std::size_t count = std::min(result.columns.size(), most);
-  std::ostringstream text;
-  for (std::size_t c = 0; c < count; ++c) {
+/// Tells whether a column is of forces, impulses or contacts, which only the step of the plain engine knows.
+static bool is_of_the_step(const std::string& column) {
+  if (column.find("answer") != std::string::npos || column.starts_with("I ω")) return false;
+  for (const char* word : {"[N", "contacts", "impacts", "bounce", "floor's load"})
+    if (column.find(word) != std::string::npos) return true;
+  return false;
+}
+
+/// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns, or for all. Names the columns that a plain engine
+/// does not report.
+static std::string state_text(const RunResult& result, bool all, bool plain) {
+  std::string text, unknown;
+  std::size_t shown = 0;
+  for (std::size_t c = 0; c < result.columns.size(); ++c) {
     const std::string& column = result.columns[c];
     const std::size_t bracket = column.find(" [");
-    if (c > 0) text << ", ";
-    text << column.substr(0, bracket) << ' ' << short_text(result.state[c]);
-    if (bracket != std::string::npos) text << ' ' << column.substr(bracket + 2, column.size() - bracket - 3);
+    const std::string name = column.substr(0, bracket);
+    if (plain && is_of_the_step(column)) {
+      unknown += (unknown.empty() ? "; not reported by this engine: " : ", ") + name;
+    } else if (all || shown < 4) {
+      text += (shown++ > 0 ? ", " : "") + name + ' ' + short_text(result.state[c]);
+      if (bracket != std::string::npos) text += ' ' + column.substr(bracket + 2, column.size() - bracket - 3);
+    } else {
+      return text + ", ... (-v has all)" + unknown;
+    }
   }
-  if (count < result.columns.size()) text << ", ... (-v has all)";
-  return text.str();
+  return text + unknown;
 }
 
 static std::string verdict_text(const Verdict& verdict) {
@@ -115,7 +128,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (verbose && !parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
   if (verbose) print_entry(out, "answer", scene.answer);
   print_entry(out, "run", steps_text(settings.method, result));
-  print_entry(out, "end", state_text(result, verbose));
+  print_entry(out, "end", state_text(result, verbose, settings.method.engine == Engine::plain));
   if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
   else

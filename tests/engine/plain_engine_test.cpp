@@ -104,6 +104,21 @@ TEST(PlainEngine, AgreesWithTheFastEngineByAnySolver) {
   by("stiff_wire", {}, {.h = 0, .solver = "geometric_stiffness"});
 }
 
+/// Friction takes energy, and nothing pushes balls in free flight: neither is a fault of the step, whose contacts and
+/// rows are its own.
+TEST(PlainEngine, HasASoundVerdictWhereItIsRight) {
+  for (const auto& [scene, settings] : std::vector<std::pair<std::string, SceneSettings>>{
+           {"slide_to_roll", {}}, {"incline", {{"angle", "30"}}}, {"sliding_block", {}}, {"cradle", {}}}) {
+    const SceneDescription& description = find_scene(scene);
+    const auto plain = description.build(with(description, settings), method_of(description, Engine::plain));
+    for (int n = 0; n < 100; ++n) {
+      plain->advance(1);
+      plain->judge();
+    }
+    EXPECT_EQ(name_of(plain->verdict().state), "sound") << scene << ": " << plain->verdict().reason;
+  }
+}
+
 /// Chapter 13: hinges, sliders, limits and motors.
 TEST(PlainEngine, AgreesWithTheFastEngineOnMechanisms) {
   for (const auto& [scene, settings] : std::vector<std::pair<std::string, SceneSettings>>{

@@ -131,6 +131,8 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   double asked = rhs_norm(world.rows());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
+  if (world.settings().stepper)  // its rows are unknown: compares with the fastest body
+    for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
   // Soft steps do not sweep until a rate can be seen: each sweep begins where the last one ended.
   const double left =
       world.settings().soft_steps ? residual : estimated_error(residual, world.solved().history);
@@ -250,8 +252,10 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
     lift += force.norm();
   }
   given_ += world.work_of_drives();
-  had_rows_ = had_rows_ || !world.rows().empty();
-  may_dissipate_ = may_dissipate_ || !world.contacts().empty();
+  // The contacts and rows of a stepper are its own.
+  const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
+  had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
+  may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
   if (first_) springs_ += energy_of_contacts(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;
