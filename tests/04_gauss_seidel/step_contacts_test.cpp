@@ -22,8 +22,8 @@ EXERCISE_TEST(StepContacts, HasItsStagesInOrder) {
   const std::vector<Contact> first(contacts.begin(), contacts.end() - 1);
   const std::vector<Contact> backwards(contacts.rbegin(), contacts.rend());
   std::vector<Mistake> mistakes = mistakes_of(all, contacts, h, mistakes_in_order());
-  mistakes.push_back(
-      {assembled(all, contacts, h, {.max_sweeps = 1}), "This made one sweep only: pass max_sweeps to solve."});
+  mistakes.push_back({assembled(all, contacts, h, {.max_sweeps = 1}),
+                      "This made one sweep only: pass max_sweeps to solve, and solve all contacts together."});
   mistakes.push_back({assembled(all, contacts, h, {.max_sweeps = 50}),
                       "The number of sweeps is simulation.max_sweeps, here 5."});
   mistakes.push_back({assembled(all, first, h), "The last contact is missing."});
