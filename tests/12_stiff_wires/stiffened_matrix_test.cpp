@@ -56,7 +56,9 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
                    "a pair with two springs", "no body is static", "a step of no time"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
-    Springs s = random_springs(random, bodies, fixed, random.integer(0, 6), random.integer(0, 1) == 1);
+    const int springs = random.integer(0, 6);
+    const bool first = random.integer(0, 1) == 1;
+    Springs s = random_springs(random, bodies, fixed, springs, first);
     if (random.integer(0, 4) == 0) s.h = 0;
     for (const bool i_above_j : {false, true}) {  // rows whose two blocks have nothing in common
       const int other = random.integer(0, bodies - 2), last = bodies - 1;
