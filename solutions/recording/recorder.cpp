@@ -6,6 +6,7 @@
 #include "common/require.hpp"
 #include "recording/base64.hpp"
 #include "recording/controls.hpp"
+#include "scenes/run.hpp"
 #include "spook/json.hpp"
 
 namespace spook {
@@ -189,7 +190,7 @@ void Recorder::take(const Scene& scene, bool touched) {
   add_contacts(frame.contacts, line);
   if (!frame.joint_impulses.empty()) line["joint_impulses"] = text_of(frame.joint_impulses);
   add_ghosts(scene.ghosts(), !frame.q.empty(), line);
-  line["sample"] = scene.sample();
+  line["sample"] = known_sample(scene);
   line["error"] = scene.error();
   const Energy& energy = frame.energy;
   line["energy"] = {{"motion", energy.motion},

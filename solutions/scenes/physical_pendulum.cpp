@@ -87,7 +87,7 @@ class PhysicalPendulum : public WorldScene<6> {
 
   std::vector<std::string> columns() const override {
     return {"time [s]",   "angle [degrees]",     "answer [degrees]",
-            "stop [N m]", "its impulse [N m s]", "I ω [N m s]"};
+            "stop [N m]", "its impulse [N m s]", "I ω [kg m²/s]"};
   }
   std::vector<double> sample() const override {
     return {time(), world_.joint_position(0) / radians(1), answer() / radians(1), world_.limit_force(0),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numeric>
 
 #include "common/require.hpp"
@@ -34,8 +35,27 @@ static std::vector<std::string> columns(const Scene& scene, const Watch& watch) 
   return names;
 }
 
-static std::vector<double> sample(const Scene& scene, const Watch& watch) {
+/// Tells by a column's name whether its number is of contacts or rows. An answer is of neither.
+static bool is_of_the_step(const std::string& column) {
+  if (column.find("answer") != std::string::npos) return false;
+  for (const char* word : {"[N", "contacts", "impacts", "bounce", "floor's load"})
+    if (column.find(word) != std::string::npos) return true;
+  return false;
+}
+
+std::vector<double> known_sample(const Scene& scene) {
   std::vector<double> values = scene.sample();
+  const bool is_plain = scene.points() ? scene.points()->settings().stepper != nullptr
+                                       : scene.rigid_bodies()->settings().stepper != nullptr;
+  if (!is_plain) return values;
+  const std::vector<std::string> names = scene.columns();
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (is_of_the_step(names[c])) values[c] = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
+static std::vector<double> sample(const Scene& scene, const Watch& watch) {
+  std::vector<double> values = known_sample(scene);
   if (watch.residual) values.push_back(scene.report().residual);
   if (!watch.positions) return values;
   for (const Vec3& x : scene.frame().x) values.insert(values.end(), {x.x(), x.y(), x.z()});
@@ -136,7 +156,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   result.error = scene->error();
   result.last = scene->report();
   result.columns = scene->columns();
-  result.state = scene->sample();
+  result.state = known_sample(*scene);
   result.row_updates = scene->row_updates();
   if (further == 0) return result;
   const std::vector<double> times = sorted_us(build, further);

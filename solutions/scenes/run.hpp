@@ -36,6 +36,10 @@ std::int64_t step_count(double h, double time);
 /// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
 std::string plain_step_of(const Scene& scene, const Method& method);
 
+/// Returns the scene's numbers. In the plain engine forces, impulses, and the numbers of contacts, impacts and bounces
+/// are NaN, since they do not leave the step.
+std::vector<double> known_sample(const Scene& scene);
+
 /// Output of the first run.
 struct Watch {
   std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included

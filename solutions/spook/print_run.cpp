@@ -1,6 +1,7 @@
 #include "spook/print_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "scenes/number.hpp"
@@ -83,14 +84,6 @@ static std::string stages_text(const RunResult& result) {
   return text + " µs; no other stage ran";
 }
 
-/// Tells whether a column is of forces, impulses or contacts, which only the step of the plain engine knows.
-static bool is_of_the_step(const std::string& column) {
-  if (column.find("answer") != std::string::npos || column.starts_with("I ω")) return false;
-  for (const char* word : {"[N", "contacts", "impacts", "bounce", "floor's load"})
-    if (column.find(word) != std::string::npos) return true;
-  return false;
-}
-
 /// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns, or for all. Names the columns that a plain engine
 /// does not report.
 static std::string state_text(const RunResult& result, bool all, bool plain) {
@@ -100,7 +93,7 @@ static std::string state_text(const RunResult& result, bool all, bool plain) {
     const std::string& column = result.columns[c];
     const std::size_t bracket = column.find(" [");
     const std::string name = column.substr(0, bracket);
-    if (plain && is_of_the_step(column)) {
+    if (plain && std::isnan(result.state[c])) {
       unknown += (unknown.empty() ? "; not reported by this engine: " : ", ") + name;
     } else if (all || shown < 4) {
       text += (shown++ > 0 ? ", " : "") + name + ' ' + short_text(result.state[c]);

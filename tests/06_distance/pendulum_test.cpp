@@ -141,8 +141,7 @@ EXERCISE_TEST(BallJointConstraints, SwingsABarWithTheExactPeriod) {
         "Eq. (6.6), (6.13)", swing_of_a_bar(h, d), exact_period,
         {lateness(h, d), "that of a rod of 1 m, 3 (1 + 2d) h² √(g/2l): a bar's is smaller"}, {},
         "A bar swings like a point at two thirds of its length. The angular blocks make it turn. The rows also "
-        "pull: "
-        "lo = -∞.");
+        "pull: lo = -∞.");
     if (::testing::Test::HasFailure()) return;
   }
 }

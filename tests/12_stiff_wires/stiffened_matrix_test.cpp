@@ -57,8 +57,8 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   while (regions.lack_draws()) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
     const int springs = random.integer(0, 6);
-    const bool first = random.integer(0, 1) == 1;
-    Springs s = random_springs(random, bodies, fixed, springs, first);
+    const bool last_are_fixed = random.integer(0, 1) == 1;
+    Springs s = random_springs(random, bodies, fixed, springs, last_are_fixed);
     if (random.integer(0, 4) == 0) s.h = 0;
     for (const bool i_above_j : {false, true}) {  // rows whose two blocks have nothing in common
       const int other = random.integer(0, bodies - 2), last = bodies - 1;

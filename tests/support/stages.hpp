@@ -171,9 +171,8 @@ void expect_report(const std::string& equation, Simulation all, const Step& step
     const SolveReport got = step(stepped);
     const std::string clue =
         got.history.size() > expected.history.size()
-            ? "More sweeps than the simulation allows: hand both max_sweeps and tolerance to solve. Each of "
-              "the "
-              "two ends it."
+            ? "More sweeps than the simulation allows: hand both max_sweeps and tolerance to solve. Either "
+              "ends it."
             : "The step solves, and returns the report of something else: return that of its solve.";
     expect_true("as many entries in the history of the report as sweeps in the step, " +
                     std::to_string(expected.history.size()),

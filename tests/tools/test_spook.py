@@ -1,5 +1,6 @@
 """The spook program, as it is called: `python3 test_spook.py PATH_TO_SPOOK`, or with SPOOK=path in the environment."""
 
+import csv
 import json
 import math
 import os
@@ -141,6 +142,16 @@ class Refusals(unittest.TestCase):
         self.assertEqual((few["state"]["name"], many["state"]["name"]), ("unsolved", "sound"))
         text = spook("run", "stack", "--engine", "plain", "--iterations", "10", "--time", "0.5").stdout
         self.assertRegex(text, r"residual  [\d.e-]+ m/s in the last step, after 10 iterations")
+
+    def test_the_plain_engine_shows_no_zero_for_what_it_does_not_report(self):
+        text = " ".join(spook("run", "resting_sphere", "--engine", "plain", "--time", "1").stdout.split())
+        self.assertIn("; not reported by this engine: lambda", text)
+        with tempfile.TemporaryDirectory() as folder:
+            table = Path(folder, "a.csv")
+            spook("run", "rope", "--engine", "plain", "--time", "0.1", "--csv", str(table))
+            rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
+        self.assertEqual({row["end tension [N]"] for row in rows}, {"nan"})
+        self.assertNotIn("nan", {row["answer's end [N]"] for row in rows} | {row["energy [J]"] for row in rows})
 
     def test_soft_steps_have_sweeps_of_their_own(self):
         for option in ["solver direct", "iterations 5", "row-order up", "friction-model cone", "integrator-order 2",

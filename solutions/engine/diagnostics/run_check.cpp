@@ -131,7 +131,7 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   double asked = rhs_norm(world.rows());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
-  if (world.settings().stepper)  // its rows are unknown: compares with the fastest body
+  if (world.settings().stepper)
     for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
   // Soft steps do not sweep until a rate can be seen: each sweep begins where the last one ended.
   const double left =

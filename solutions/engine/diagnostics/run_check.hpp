@@ -19,7 +19,8 @@
 //                - nothing can move
 //
 //   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
-//   right-hand side   the largest of |B| and of the velocity changes h f/m
+//   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
+//                     speeds, too
 //   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of the first step and the work of motors; Δx is a body's
 //                     way, so that the energy which lifts it out of an overlap counts
 //   SPOOK's rate      an overlap shrinks by the part a h = 4/(1 + 4 d) in a step, Eq. (3.4)

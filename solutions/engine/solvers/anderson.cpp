@@ -152,6 +152,17 @@ SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vec
   return accelerated(Sweeps<Dof>(rubbing, rows, V), stop);
 }
 
+double error_of_accelerated(const std::vector<double>& history) {
+  constexpr std::ptrdiff_t shortest = 8;
+  constexpr double assumed = 0.98;
+  if (std::ssize(history) < shortest) return history.back() / (1 - assumed);
+  const auto quarter = [&](int n) { return history.begin() + std::ssize(history) * n / 4; };
+  const double before = *std::min_element(quarter(1), quarter(2)),
+               last = *std::min_element(quarter(3), history.end());
+  const double rate = std::pow(last / before, 2.0 / static_cast<double>(history.size()));
+  return rate < 1 ? history.back() / (1 - rate) : infinity;
+}
+
 template <int Dof>
 Solver<Dof> anderson(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;

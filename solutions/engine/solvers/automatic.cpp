@@ -33,6 +33,13 @@ namespace spook {
 
 namespace {
 
+/// Tells whether the row is the first of the three of a contact on a cone. Rows of contacts follow those of joints.
+template <int Dof>
+bool starts_contact_on_cone(int row, const SolverInput<Dof>& s) {
+  const int of_contacts = row - static_cast<int>(s.first_contact_row);
+  return of_contacts >= 0 && of_contacts % 3 == 0;
+}
+
 /// One of several islands as a separate system, with its own numbers of bodies.
 template <int Dof>
 struct IslandProblem {
@@ -56,12 +63,8 @@ struct IslandProblem {
       }
       return numbers[body];
     };
-    // Rows of contacts follow those of joints; a contact on a cone has three.
-    const auto starts_contact = [&](std::size_t k) {
-      return !on_cones.empty() && k >= s.first_contact_row && (k - s.first_contact_row) % 3 == 0;
-    };
     for (const int k : members) {
-      if (starts_contact(k))
+      if (!on_cones.empty() && starts_contact_on_cone(k, s))
         rubbing.push_back({.normal = rows.size(), .mu = on_cones[(k - s.first_contact_row) / 3].mu});
       rows.push_back(s.rows[k]);
       rows.back().i = number(s.rows[k].i);
@@ -205,9 +208,8 @@ class Automatic {
     bool moves = false;
     double most = 0;
     for (const int k : island.members) {
-      const int of_contacts = k - static_cast<int>(s.first_contact_row);
-      if (of_contacts < 0) return 0;
-      if (of_contacts % 3 != 0) continue;
+      if (k < static_cast<int>(s.first_contact_row)) return 0;
+      if (!starts_contact_on_cone(k, s)) continue;
       most = std::max(most, std::abs(s.rows[k].B));
       moves = moves || is_fast(s.rows[k].i) || is_fast(s.rows[k].j);
     }
@@ -243,23 +245,9 @@ class Automatic {
   /// Tells whether sweeps made factors unnecessary.
   static bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) {
     if (swept.converged)
-      return part.approach == 0 || left_by_quarters(swept.history) <= share_may_be_left * part.approach;
+      return part.approach == 0 || error_of_accelerated(swept.history) <= share_may_be_left * part.approach;
     const double left = estimated_error(swept.history.back(), swept.history);
     return !hard && left <= share_left * rhs_norm(part.rows);
-  }
-
-  /// Estimates the error of accelerated sweeps, whose residuals do not fall at a steady rate: from the least residuals
-  /// in the second and the last quarter of the history. A short history is assumed to converge by 2 per cent a sweep.
-  static double left_by_quarters(const std::vector<double>& history) {
-    constexpr std::ptrdiff_t shortest = 8;
-    constexpr double assumed = 0.98;
-    const auto quarter = [&](int n) { return history.begin() + std::ssize(history) * n / 4; };
-    const double before = *std::min_element(quarter(1), std::max(quarter(2), quarter(1) + 1));
-    const double last = *std::min_element(quarter(3), history.end());
-    const double rate = std::ssize(history) < shortest
-                            ? assumed
-                            : std::pow(last / before, 2.0 / static_cast<double>(history.size()));
-    return rate < 1 ? history.back() / (1 - rate) : infinity;
   }
 
   static SolverResult swept(const IslandView& part, const StopRule& stop) {

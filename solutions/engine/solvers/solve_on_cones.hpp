@@ -10,10 +10,11 @@
 
 namespace spook {
 
+/// Limits of the attempts.
 struct ConeEffort {
   int most = 300;  ///< factorisations
-  double suffices =
-      0;  ///< residual after the first interior-point method that ends the attempts, over the largest |B|
+  /// The residual, over the largest |B|, at which no further method is tried once the interior point has ended.
+  double suffices = 0;
 };
 
 /// Starts from the current λ and V. A problem counts as solved if the residual, Eq. (9.7), is at most the tolerance or

@@ -34,6 +34,7 @@ void World<Dof>::step_part(double h) {
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
+  if (!contacts_.empty() || !joints_.empty()) set_default_stiffness(h);
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
@@ -163,7 +164,6 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
 
 template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
-  set_default_stiffness(h);  // the threshold depends on k
   const auto law_of = [&](const Contact& contact) { return impact_law(contact, h); };
   const std::vector<Vec3> before = bodies_.x;
   const int hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
@@ -211,7 +211,6 @@ void World<Dof>::set_default_stiffness(double h) {
 /// Overwrites the contact rows of the last step, since those of a large pile take many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
-  set_default_stiffness(h);
   first_contact_row_ = 0;
   if (!joints_.empty()) {
     rows_.clear();

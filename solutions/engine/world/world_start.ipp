@@ -78,6 +78,7 @@ void World<Dof>::start_consistently(double h) {
   if (shapes_.may_touch()) find_contacts(h);
   evaluate_forces(h);
   prepare_motion(h);
+  set_default_stiffness(h);
   build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
