@@ -24,7 +24,7 @@
 //   λ   impulses [N s]           M   mass matrix, a block a body      s   room to a bound [N s]
 //   V   their velocity changes   Σ   regularisation [1/kg]            z   push of a bound [m/s]
 //   P   an order with little fill                                     μ   mean of s z; μ' after the part α of a step
-//   E   the largest of B²/S_kk + S_kk (λ₀² + λ₁²), an energy [J]
+//   E   the largest of B²/S_kk + S_kk (λ₀² + λ_g²), an energy [J]
 //
 // Differs from the notes: the cost for a wire is O(N), not 1/N. Redundant and contradictory rows have a solution, too,
 // if Σ > 0.
@@ -92,7 +92,7 @@ Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now
 /// Exercise 11.7. The largest fraction of a step, at most 1, that keeps all rooms and pushes >= 0: Eq. (11.10).
 double longest_step(const Interior& now, const Interior& step);
 
-/// Exercise 11.8. The starting point: Eq. (11.12). λ₀ is the value nearest to 0 within the bounds, and λ₁ the value
+/// Exercise 11.8. The starting point: Eq. (11.12). λ₀ is the value nearest to 0 within the bounds, and λ_g the value
 /// nearest to `guess`. The guess gives the size of the impulses, not their values. The room is that to `lo`, or to `hi`
 /// if there is no `lo`. Without bounds λ = 0. If E is 0, no size is known: then E is 1 J.
 Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,

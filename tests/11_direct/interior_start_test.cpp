@@ -65,14 +65,14 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
             "includes the guess and the bounds."},
            {e.of_B / e.all, "This is from B only: the guess and the bounds may need more."},
            {e.without_guess / e.all, e.without_guess == e.without_least
-                                         ? "λ₀ and λ₁ are the same here, and both count: S λ² is in E twice."
+                                         ? "λ₀ and λ_g are the same here, and both count: S λ² is in E twice."
                                          : "The guess is forgotten."},
            {e.without_least / e.all, "The bounds may keep λ from 0: then S λ² is needed in any case."},
            {e.outside / e.all, "The guess is outside the bounds: use the nearest λ within them."},
            {e.sum / e.all, "Take the largest of all rows, and not their sum."},
            {1 / e.all, "This is 1 J, which is for an E of 0. Here B, the guess or the bounds tell a size."}},
           room > 0
-              ? "Every bound begins with the same s z, the largest B²/S + S (λ₀² + λ₁²) of all rows."
+              ? "Every bound begins with the same s z, the largest B²/S + S (λ₀² + λ_g²) of all rows."
               : "There is no room: use at most half of the distance between two bounds, so that z is finite.");
     };
     const bool below = std::isfinite(p.lo[k]), above = std::isfinite(p.hi[k]);
