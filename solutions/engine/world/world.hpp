@@ -1,12 +1,13 @@
 #pragma once
 // The world: bodies, joints, and the step that moves them.
 //
-//   find contacts -> resolve impacts -> build rows -> solve -> integrate
+//   find contacts -> evaluate forces -> resolve impacts -> build rows -> solve -> integrate
 //
 //   contacts    at x_n, where gap <= margin                                        Eq. (3.1), (8.1)-(8.10)
+//   forces      f and τ at x_n, and from them W_f = h M⁻¹ f                        Eq. (1.1), (4.4)
 //   impacts     fast approaching contacts: W changes at once                       Eq. (7.1)-(7.10)
 //   rows        S λ = B, with W = v_{n-1/2} and the forces at x_n                  Eq. (3.7), (4.4)
-//   solve       λ and V = M⁻¹ Gᵀ λ; again if overlaps would leave a speed   Eq. (4.6), (4.7), (7.17)
+//   solve       λ and V = M⁻¹ Gᵀ λ; again if overlaps would leave a speed          Eq. (4.6), (4.7), (7.17)
 //   integrate   W += h M⁻¹ f + V, then x += h v and q turns by h ω                 Eq. (1.3), (1.4), (2.4)-(2.11)
 //
 // Each stage calls the functions of the chapters. A stage that a scene does not need does not run: without shapes no
@@ -231,8 +232,8 @@ class World {
   /// Gives a body an impulse through its centre [N s].
   void apply_central_impulse(int body, const Vec3& impulse);
 
-  /// Copies positions and velocities from `other` for the bodies that are dynamic in both worlds. The time of this
-  /// world continues. If both worlds have as many joints, rows start with the impulses of `other`.
+  /// Copies the time of `other`, and positions and velocities of the bodies that are dynamic in both worlds or kinematic
+  /// in this one. If both worlds have as many joints, rows start with the impulses of `other`.
   void take_state_from(const World& other);
 
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
@@ -283,7 +284,7 @@ class World {
   Vec3 synchronized_velocity(int body, double h) const;
 
   /// The angular velocity at the time of the position [rad/s]. Includes the gyroscopic torque if the rotation rule
-  /// treats it as a torque.
+  /// treats it as a torque, but not the torque of `wrench`.
   Vec3 synchronized_angular_velocity(int body, double h) const requires(Dof == 6);
 
   /// The contacts of the last step; the normal impulse of a contact [N s]; its whole impulse on body j, friction
