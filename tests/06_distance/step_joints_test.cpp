@@ -104,9 +104,11 @@ EXERCISE_TEST(StepJoints, KeepsMomentum) {
                                "Eq. (6.6)", momenta(got, all), momenta(all, all),
                                {1e-10, "roundings of 200 sweeps over 9 rows"}, {},
                                "A ball joint acts on both bodies at one point.");
-  expect_at_least("change of the velocities by the joints [m/s, rad/s]", "Eq. (6.5)",
-                  (twist_of(got.bodies[0]) - twist_of(all.bodies[0])).norm(), 0.1,
-                  "the two points have different velocities", "The joints do nothing.");
+  double change = 0;  // of any body: by chance the points of one joint may have nearly the same velocity
+  for (std::size_t b = 0; b < all.bodies.size(); ++b)
+    change = std::max(change, (twist_of(got.bodies[b]) - twist_of(all.bodies[b])).norm());
+  expect_at_least("largest change of a body's velocities by the joints [m/s, rad/s]", "Eq. (6.5)", change, 0.01,
+                  "the points of three joints have different velocities", "The joints do nothing.");
 }
 
 /// A mass that hangs at rest stretches its joint by m g/k.
