@@ -82,6 +82,8 @@ EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
   expect_near_vector<Vec3>(
       "L after a step of 0.3 s [kg m²/s]", "Eq. (2.11)", top.L(), start.L(), roundings(64, 5),
       {{L_with(start.omega), "This is the old ω. L is fixed and q is new, so ω = I⁻¹ L has changed."},
+       {L_with(top.q * start.q.conjugate() * start.omega),
+        "ω has been turned along with the body. L is fixed in the world, and ω = I⁻¹ L with the new q."},
        {L_with(top.q.conjugate() * omega_right),
         "The new ω is in body coordinates. Return it in world "
         "coordinates."},

@@ -30,7 +30,8 @@ Simulation bodies_of_all_kinds(Random& random, int count) {
 struct Way {
   bool drifts_first = false, splits_balls = false, splits_tops = true, splits_near_balls = true;
   bool splits_symmetric_tops = true;
-  int compared = -1;  ///< this moment with the next one, and no others
+  int compared = -1;      ///< this moment with the next one, and no others
+  int not_compared = -1;  ///< one of the two other pairs of moments is enough
   double drifts_by = 1, turns_by = 1;
 };
 
@@ -40,8 +41,11 @@ void turn(RigidBody& body, const Way& way, double h) {
   const bool is_near = I.maxCoeff() < 1.001 * I.minCoeff(),
              is_symmetric = I[0] == I[1] || I[1] == I[2] || I[2] == I[0],
              are_equal = way.compared >= 0 && I[way.compared] == I[(way.compared + 1) % 3];
+  const auto are_equal_from = [&](int k) { return k != way.not_compared && I[k] == I[(k + 1) % 3]; };
+  const bool one_is_enough =
+      way.not_compared >= 0 && (are_equal_from(0) || are_equal_from(1) || are_equal_from(2));
   const bool is_round = I == Vec3::Constant(I[0]) || (is_near && !way.splits_near_balls) ||
-                        (is_symmetric && !way.splits_symmetric_tops) || are_equal;
+                        (is_symmetric && !way.splits_symmetric_tops) || are_equal || one_is_enough;
   if (is_round ? way.splits_balls : way.splits_tops)
     free_rotation(body.q, body.omega, body.principal, h);
   else
@@ -68,6 +72,8 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
   Simulation got = before;
   step_free(got, h);
 
+  const std::string two_of_three =
+      "This turns a body by Eq. (2.6) of which two moments are equal: only three equal ones make it a ball.";
   Simulation heavy = moved(before, h), fixed_fall = heavy;
   for (std::size_t b = 0; b < before.bodies.size(); ++b) {
     RigidBody& body = heavy.bodies[b];
@@ -89,8 +95,10 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
        {moved(before, h, {.splits_near_balls = false}),
         "This turns a body by Eq. (2.6) whose moments differ by less than a thousandth: they are not equal, "
         "and its ω changes."},
-       {moved(before, h, {.splits_symmetric_tops = false}),
-        "This turns a body by Eq. (2.6) of which two moments are equal: only three equal ones make it a ball."},
+       {moved(before, h, {.splits_symmetric_tops = false}), two_of_three},
+       {moved(before, h, {.not_compared = 0}), two_of_three},
+       {moved(before, h, {.not_compared = 1}), two_of_three},
+       {moved(before, h, {.not_compared = 2}), two_of_three},
        {moved(before, h, {.compared = 0}), "This compares I1 and I2 only: a ball has I3 equal to these, too."},
        {moved(before, h, {.compared = 1}), "This compares I2 and I3 only: a ball has I1 equal to these, too."},
        {moved(before, h, {.compared = 2}), "This compares I1 and I3 only: a ball has I2 equal to these, too."},

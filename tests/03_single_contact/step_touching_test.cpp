@@ -34,6 +34,7 @@ struct StagesOfTouch {
   double W_f_i = 1, W_f_j = 1, on_i = 1, on_j = 1;
   bool turns = true, turns_in_K = true;
   bool masses_of_i = false, masses_of_j = false;  ///< one body's inverse mass matrix for both, outside K
+  bool exchanged_in_K = false;                    ///< each lever arm with the other body's inverse mass matrix
   bool axes_unturned = false;                     ///< inertias as if q were (1, 0, 0, 0), outside K
 };
 
@@ -48,7 +49,9 @@ Simulation touched(Simulation all, const Contact& contact, double h, const Stage
   const double GW = Gi.dot(twist_of(i)) + Gj.dot(twist_of(j));
   const double GWf = stages.W_f_i * Gi.dot(force_twist_of(i, all.gravity, h)) +
                      stages.W_f_j * Gj.dot(force_twist_of(j, all.gravity, h));
-  const double nKn = stages.turns_in_K ? Gi.dot(Mi.times(Gi)) + Gj.dot(Mj.times(Gj)) : Mi.linear + Mj.linear;
+  const InverseMass<6>&of_i = stages.exchanged_in_K ? Mj : Mi, &of_j = stages.exchanged_in_K ? Mi : Mj;
+  const double nKn =
+      stages.turns_in_K ? Gi.dot(of_i.times(Gi)) + Gj.dot(of_j.times(Gj)) : Mi.linear + Mj.linear;
   const double lambda = contact_impulse(spook_parameters(h, all.k, all.d), nKn, contact.gap, GW, GWf);
   const auto inverse = [&](RigidBody body) {
     if (stages.axes_unturned) body.q = Quat::Identity();
@@ -110,6 +113,8 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
          {touched(all, contact, h, {.turns_in_K = false}),
           "n·Kn has the masses only. K of chapter 03 has a part by which the bodies turn, too: "
           "collision_matrix."},
+         {touched(all, contact, h, {.exchanged_in_K = true}),
+          "In K the two bodies are exchanged. Each lever arm goes with the inverse mass of its own body."},
          {touched(all, contact, h, {.turns = false}),
           on_static ? "The impulse does not turn the body: V has an angular part, I⁻¹ (r × J)."
                     : "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},

@@ -133,7 +133,8 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
                 "Copy i and j, in that order.");
     expect_near_vector("Gi", "Eq. (4.3)", row.Gi, t.c.Gi, {0, "a copy"});
     expect_near_vector("Gj", "Eq. (4.3)", row.Gj, t.c.Gj, {0, "a copy"});
-    expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"});
+    expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"}, {},
+                "The row has the Σ of its constraint, whatever its bounds, as a field and in the diagonal.");
     expect_near(
         "lower bound of λ [N s]", "Eq. (4.1)", row.lo, t.c.lo, {0, "a copy"}, {},
         "A contact has the bounds 0 and infinity, but other rows have others: copy them. A field that is never "

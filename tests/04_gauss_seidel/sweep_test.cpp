@@ -89,8 +89,8 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestVelocityChange) {
 }
 
 /// Rows skipped by mistake: rows that would stay at a bound before the sweep, contacts among these, or all contacts
-/// with λ = 0.
-enum class Skips { at_any_bound, contacts_that_stay_off, contacts_off };
+/// with λ = 0; or rows with equal bounds.
+enum class Skips { at_any_bound, contacts_that_stay_off, contacts_off, equal_bounds };
 
 /// λ after three sweeps.
 Eigen::VectorXd swept_but_for(const Bounded& problem, Eigen::VectorXd lambda, Skips skips) {
@@ -100,7 +100,10 @@ Eigen::VectorXd swept_but_for(const Bounded& problem, Eigen::VectorXd lambda, Sk
       const double lo = problem.lo[k], hi = problem.hi[k];
       const bool stays = (lambda[k] == lo && before[k] <= 0) || (lambda[k] == hi && before[k] >= 0);
       const bool is_off = lo == 0 && hi == infinity && lambda[k] == 0;
-      if (skips == Skips::at_any_bound ? stays : is_off && (stays || skips == Skips::contacts_off)) continue;
+      if (skips == Skips::equal_bounds   ? lo == hi
+          : skips == Skips::at_any_bound ? stays
+                                         : is_off && (stays || skips == Skips::contacts_off))
+        continue;
       const double r = problem.B[k] - problem.S.row(k).dot(lambda);
       lambda[k] = std::min(hi, std::max(lo, lambda[k] + r / problem.S(k, k)));
     }
@@ -160,6 +163,8 @@ EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
         lambda, roundings(1e5, 10),
         {{swept_but_for(problem, start, Skips::at_any_bound), skipped},
          {swept_but_for(problem, start, Skips::contacts_that_stay_off), skipped},
+         {swept_but_for(problem, start, Skips::equal_bounds),
+          "Rows with lo = hi have been skipped. Their λ may begin elsewhere, and is then projected."},
          {swept_but_for(problem, start, Skips::contacts_off),
           "Contacts with λ = 0 have been skipped. Another update may push them later, so update them, too."}},
         "Every row is updated in every sweep, within its own bounds, from the present V: a row with λ = 0 may "
@@ -304,7 +309,7 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
     const Problem<6> p = any_rows(random, bodies, rows);
     const Bounded problem = bounded(p.rows);
     const Eigen::VectorXd lambda = gathered(p.rows, &Row<6>::lambda), r = problem.B - problem.S * lambda;
-    double largest = 0, without_sigma = 0;
+    double largest = 0, without_sigma = 0, without_equal_bounds = 0;
     Eigen::Index most = 0;
     for (Eigen::Index k = 0; k < lambda.size(); ++k) {
       const double S_kk = problem.S(k, k), Sigma = p.rows[static_cast<std::size_t>(k)].Sigma;
@@ -315,6 +320,7 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
       if (lacks(r[k]) > largest) most = k;
       largest = std::max(largest, lacks(r[k]));
       without_sigma = std::max(without_sigma, lacks(r[k] + Sigma * lambda[k]));
+      if (problem.lo[k] < problem.hi[k]) without_equal_bounds = std::max(without_equal_bounds, lacks(r[k]));
     }
     const double at = lambda[most], lo = problem.lo[most], hi = problem.hi[most];
     regions.draw(
@@ -327,7 +333,9 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
     expect_near(
         "residual of " + std::to_string(rows) + " rows with bounds of all kinds, λ within them or not [m/s]",
         "Eq. (4.8)", residual(p.rows, p.V), largest, roundings(1e4, 10),
-        {{without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}},
+        {{without_sigma, "Σ λ is missing in r = B - G V - Σ λ."},
+         {without_equal_bounds,
+          "Rows with lo = hi have been left out. Where λ is not at that bound, such a row is not solved."}},
         "The change that an update would make, times S_kk, of every row: also of rows at a bound that would "
         "leave it. Of " +
             std::to_string(rows) + " rows the last counts like the first.");

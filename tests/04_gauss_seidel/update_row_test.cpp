@@ -180,12 +180,14 @@ EXERCISE_TEST(UpdateRow, ProjectsEvenWithAResidualOfZero) {
 EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
   Random random;
   Regions regions({"free", "held at lo", "held at hi", "held at hi = 0", "lo = hi", "λ begins below lo",
-                   "λ begins above hi", "Δλ < 0"});
+                   "λ begins above hi", "λ leaves lo", "λ leaves hi", "Δλ < 0"});
   while (regions.lack_draws()) {
     Problem<6> p = random_problem(random, 2, 1);
     Row<6>& row = p.rows[0];
     give_any_bounds(random, row);
     row.lambda = random.uniform(-0.5, 0.5);
+    const double bound = random.integer(0, 1) ? row.lo : row.hi;
+    if (std::isfinite(bound) && random.integer(0, 1)) row.lambda = bound;
     for (auto& V : p.V) V = random.twist(0.3);
     const Row<6> old = row;
     const std::vector<Twist<6>> before = p.V;
@@ -201,6 +203,8 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
                   {"lo = hi", old.lo == old.hi},
                   {"λ begins below lo", old.lambda < old.lo},
                   {"λ begins above hi", old.lambda > old.hi},
+                  {"λ leaves lo", old.lambda == old.lo && expected > old.lo && old.lo != 0},
+                  {"λ leaves hi", old.lambda == old.hi && expected < old.hi && old.hi != 0},
                   {"Δλ < 0", change < 0}});
     const double delta = update_row(row, p.V);
     const std::string bounds = "[" + show(old.lo) + ", " + show(old.hi) + "]";
@@ -208,7 +212,9 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
         "λ within " + bounds + ", from " + show(old.lambda) + " [N s]", "Eq. (4.6), (4.7)", row.lambda,
         expected, roundings(100, 5),
         {{wanted, "This has not been projected: use both of the row's bounds."},
-         {old.lambda, "λ has not changed. A λ outside its bounds must be projected."},
+         {old.lambda, old.lambda == old.lo || old.lambda == old.hi
+                          ? "λ stays at its bound. Where r points away from the bound, it leaves it."
+                          : "λ has not changed. A λ outside its bounds must be projected."},
          {std::max(0.0, wanted), "This was projected on a contact's bounds. The row has bounds of its own."}},
         "λ + r/S_kk, projected on [lo, hi], from any λ.");
     expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, change, roundings(100, 5),

@@ -32,6 +32,12 @@ EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
        "N is 1 for every contact. N counts the contacts of the same two bodies, which share the load."},
       {{.overlapping_only = true},
        "The contacts with a gap above 0 are missing. They may close within the step."},
+      {{.counts_bodies = true},
+       "N has been counted over all contacts that share a body. Only those with the same i and j count."},
+      {{.mass_of_j = true},
+       "The mass is that of one body alone. Where both move their inverse masses are added, Eq. (5.6)."},
+      {{.open_is_ice = true},
+       "Where a gap is above 0 there is no friction. Its rows have the bound of Eq. (5.7), open or not."},
       {{.whole_gravity = true}, "The bound uses all of gravity. g_n is the component along the normal, |g·n|."},
       {{.one_way_weight = true},
        "There is no friction where gravity pulls along n. g_n is |g·n|: n points from i to j, up or down."},
@@ -58,8 +64,30 @@ EXERCISE_TEST(StepFriction, WithoutFrictionIsTheStepOfContacts) {
   Simulation got = all, smooth = all;
   step_friction(got, contacts, 0.1);
   step_contacts(smooth, contacts, 0.1);
-  expect_same_bodies("after a step with mu = 0", "Eq. (5.8)", got, smooth, roundings(200, 20), {},
+  expect_same_bodies("after a step with mu = 0", "Eq. (5.8)", got, smooth, roundings(200, 20),
+                     {{assembled(all, {contacts.front()}, 0.1),
+                       "Only the first contact has a row. Where mu is 0 go on with the next one: `continue`, "
+                       "not `break`."}},
                      "With mu = 0 there are no friction rows, and the step is that of chapter 04.");
+}
+
+// What rests has no slip, but weight along a slope would set it in motion.
+EXERCISE_TEST(StepFriction, HoldsWhatRestsOnASlope) {
+  const double h = 0.01, mass = 2;
+  Simulation all;
+  all.gravity = Vec3(3, 0, -9);
+  all.k = 1e5;
+  all.mu = 0.5;
+  all.bodies = {{.normal = Vec3::UnitZ()}, {.x = Vec3(0, 0, -mass * 9 / all.k), .mass = mass}};
+  const Contact touching{
+      .i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = all.bodies[1].x.z(), .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
+  step_friction(all, {touching}, h);
+  expect_near("v along the slope of a point mass that rested, after a step [m/s]", "Eq. (5.3)",
+              all.bodies[1].v.x(), 0, {1e-9, "a creep of F/c = 6e-12 m/s, and roundings"},
+              {{3 * h,
+                "It begins to slide, as if there were no friction. Friction rows act on bodies at rest, too: "
+                "they hold what forces would move."}},
+              "μ g_n = 4.5 m/s² is more than the 3 m/s² along the slope: it stays at rest.");
 }
 
 /// A ball on a floor, at a speed of 3 m/s.

@@ -10,8 +10,13 @@ namespace {
 
 EXERCISE(StepImpacts, "7.9 step_impacts");
 
+/// Returns bodies with contacts that bounce and rub. Two of them have a joint, too.
 Crowd bouncing_crowd(Random& random) {
   Crowd made = crowd(random, 12, 8);
+  made.contacts.push_back(random_contact(random, 0, 1));
+  made.all.bodies[0].v = made.all.bodies[1].v + 3 * made.contacts.back().n;  // they approach
+  made.all.joints = {{0, 1, random.vector(0.3), random.vector(0.3)}};
+  made.all.joints[0].k = random.uniform(100, 200);
   made.all.mu = 0.3;
   made.all.viscosity = 1e3;
   made.all.restitution = 0.5;
@@ -41,6 +46,8 @@ ImpactLaw law_of(const Simulation& all, double h) {
 Simulation rows_of_old_velocities(const Simulation& all, const std::vector<Contact>& contacts, double h) {
   const Motion<6> motion = motion_of(all, h);
   std::vector<Row<6>> rows;
+  for (const Constraint<6>& constraint : joint_constraints(all, h, {}))
+    rows.push_back(make_row(constraint, motion));
   for (const Constraint<6>& constraint : contact_constraints(all, contacts, h, {}))
     rows.push_back(make_row(constraint, motion));
   const std::vector<Twist<6>> V = solved(all, rows, {});
@@ -56,12 +63,25 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
   for (int n = 0; n < 10 && !::testing::Test::HasFailure(); ++n) {
     auto [all, contacts] = bouncing_crowd(random);
     if (n % 2 == 1) all.restitution = 1;
+    if (n % 3 == 2) open_every_third(contacts);
+    std::vector<Contact> closed, unjoined;
+    for (const Contact& contact : contacts) {
+      if (contact.gap <= 0) closed.push_back(contact);
+      if (joints_between(all, contact.i, contact.j) == 0) unjoined.push_back(contact);
+    }
     const auto step_after = [all = all, h, touching = contacts](const ImpactLaw& law, bool kicked = false) {
       return assembled(after_impacts(all, touching, h, law, kicked), touching, h);
     };
     const ImpactLaw law = law_of(all, h);
     ImpactLaw smooth = law, eager = law, vertical = law;
     smooth.friction = 0, eager.threshold = 1e-9, vertical.threshold = std::abs(all.gravity.z()) * h;
+    const Simulation bounced = after_impacts(all, contacts, h, law);
+    std::vector<Contact> still_closing;
+    for (const Contact& contact : contacts) {
+      const auto [Gi, Gj] = contact_jacobian(contact);
+      if (Gi.dot(twist_of(bounced.bodies[contact.i])) + Gj.dot(twist_of(bounced.bodies[contact.j])) <= 0)
+        still_closing.push_back(contact);
+    }
     const std::string too_small =
         "The threshold is too small: ImpactLaw's default, or a component of gravity. It is |gravity| h, Eq. "
         "(7.10).";
@@ -87,6 +107,13 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
           "The impacts change no ω. Copy both halves of motion.W to the bodies, v and ω."},
          {assembled(late, contacts, h),
           "The bodies have got W + W_f/2. That is for Eq. (7.1) only: W stays at t_n - h/2."},
+         {assembled(after_impacts(all, closed, h, law), contacts, h),
+          "Contacts with a gap above 0 have no impacts. resolve_impacts takes all of them, whatever their "
+          "gap."},
+         {assembled(after_impacts(all, unjoined, h, law), contacts, h),
+          "Two bodies that have a joint do not bounce. An impact ignores joints."},
+         {assembled(bounced, still_closing, h),
+          "Contacts that part after the impacts have no rows. Other rows may still close them: hand on all."},
          {step_after(smooth), "The impacts have no friction: use the simulation's mu."},
          {step_after(eager), too_small},
          {step_after(vertical), too_small}},
@@ -149,16 +176,21 @@ EXERCISE_TEST(StepImpacts, KeepsMomentumAndTheEnergyOfElasticBalls) {
                           .principal = Vec3::Constant(0.1),
                           .radius = 0.5});
   const Simulation before = all;
+  Simulation without = all;
   const Contact touching{
       .i = 0, .j = 1, .n = Vec3::UnitX(), .gap = 0, .r_i = Vec3(0.5, 0, 0), .r_j = Vec3(-0.5, 0, 0)};
   step_impacts(all, {touching}, 0.01);
+  step_joints(without, {touching}, 0.01);
   const auto energy = [](const Simulation& now) {
     double sum = 0;
     for (const RigidBody& body : now.bodies) sum += body.mass * body.v.squaredNorm() / 2;
     return sum;
   };
   expect_near("energy of two balls after an elastic impact [J]", "Eq. (7.6)", energy(all), energy(before),
-              roundings(32, 5), {}, "With e = 1 no energy is lost, and rows have nothing to do afterwards.");
+              roundings(32, 5),
+              {{energy(without),
+                "Nothing bounces. Without gravity the threshold is 0, and every approach is an impact."}},
+              "With e = 1 no energy is lost, and rows have nothing to do afterwards.");
   expect_near_vector<Twist<6>>("momentum after it [kg m/s, kg m²/s]", "Eq. (7.9)", momenta(all, before),
                                momenta(before, before), roundings(32, 5));
   expect_near("v of the lighter ball, which came at 3 m/s [m/s]", "Eq. (7.2)", all.bodies[0].v.x(),
@@ -185,7 +217,9 @@ EXERCISE_TEST(StepImpacts, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_impacts(all, touching, h); },
-        "Check h before the impacts, since they change velocities.", [&] { return state_of(all); });
+        name == "h" ? "Check h before the impacts, since they change velocities."
+                    : "resolve_impacts refuses this: call it for any restitution but 0.",
+        [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
   Simulation wild = start, rough = start;

@@ -48,11 +48,14 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
     const Eigen::VectorXd first = S.triangularView<Eigen::Upper>().solve(r);
     return Eigen::VectorXd(first + forth(S, r - S * first));
   }();
+  Eigen::VectorXd not_to_the_end = and_back(S, r, once);
+  not_to_the_end[0] = once[0];
   const Eigen::VectorXd forgetful = once + S.triangularView<Eigen::Upper>().solve(r - without_Sigma * once);
   expect_near_vector(
       "z of six coupled rows [N s]", "Eq. (10.6)", as_eigen(z), and_back(S, r, once), roundings(1000, 10),
       {{once, "This is one sweep, first to last. Sweep back from the last row to the first afterwards."},
        {once + forth(S, r - S * once), "These are two sweeps from first to last: the second goes back."},
+       {not_to_the_end, "The way back ends before the first row. It updates that one, too."},
        {back_first, "This swept back first, and forth afterwards."},
        {r.cwiseQuotient(D), "This is r/S_kk alone: each row must use the updates of the rows before it."},
        {and_back(S, B, forth(S, B)), "The right side is r, not the rows' B."},
@@ -247,7 +250,11 @@ void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   expect_true(
       what + ": converged within 5000 iterations", "Eq. (4.9)", report.converged,
       "Only sweeps take rows off a bound that they should leave. So sweep after a projected step, and when a "
-      "row at a bound has the largest residual. After a sweep p is no longer conjugate: set β = 0 there.");
+      "row at a bound has the largest residual. After a sweep compute r anew, and set β = 0.");
+  expect_near_vector("V of " + what + ", against M⁻¹ Gᵀ λ [m/s, rad/s]", "Eq. (10.8)", flat(p.V), moved(p),
+                     roundings(1e6, 10), {},
+                     "V and λ do not belong together. What is added to λ, t d after the projection, has to be "
+                     "scattered.");
   const double n = static_cast<double>(p.rows.size());
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p), enumerate_solution(problem),
                      {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},

@@ -39,13 +39,22 @@ EXERCISE_TEST(MatchContacts, FindsThemInAnyOrder) {
   std::vector<OldContact> old(8);
   for (std::size_t k = 0; k < 8; ++k)
     old[static_cast<std::size_t>(place[k])] = {contacts[k].i, contacts[k].j, contacts[k].r_j};
-  std::vector<int> same(8);
+  std::vector<int> same(8), by_pair(8), among_sorted;
   std::iota(same.begin(), same.end(), 0);
+  std::iota(by_pair.begin(), by_pair.end(), 0);
+  const auto pair_of = [&](int k) {
+    return std::pair(old[static_cast<std::size_t>(k)].i, old[static_cast<std::size_t>(k)].j);
+  };
+  std::stable_sort(by_pair.begin(), by_pair.end(), [&](int a, int b) { return pair_of(a) < pair_of(b); });
+  for (const int k : place)
+    among_sorted.push_back(static_cast<int>(std::find(by_pair.begin(), by_pair.end(), k) - by_pair.begin()));
   for (const double reach : {0.1, 0.0})
     expect_matches(
         "old contacts of two boxes at rest, listed in another order; reach " + show(reach) + " m",
         match_contacts(contacts, old, reach), place,
-        {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: compare the points."},
+        {{as_eigen(among_sorted),
+          "These are places in a sorted list of old contacts. Return indices in `old`, as it was given."},
+         {as_eigen(same), "These are the contacts' own indices. Lists come in any order: compare the points."},
          {Eigen::VectorXd::Constant(8, -1),
           reach > 0 ? "Nothing was found. Compare points by r_j, which is relative to body j."
                     : "Nothing was found. The points are the same, 0 m apart: that is within a reach of 0."}},

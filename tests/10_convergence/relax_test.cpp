@@ -54,6 +54,7 @@ EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
   expect_near("λ [N s] of a ball that falls into the floor, 0.7333 N s from the first solve", "Eq. (10.15)",
               p.rows[0].lambda, 0.32, roundings(16),
               {{first, "Nothing has been swept, or the B and Σ of the first solve are still in use."},
+               {0, "It began with λ = 0, but V has the λ of the first solve. Begin with both."},
                {0.16 / 0.75, "Σ is still there: set it to 0."},
                {first + (0.16 - 0.5 * first) / 0.75, "Σ is still in the diagonal: compute it anew, without Σ."},
                {0.55 / 0.5, "The gap is still in B. Here a = 0, and b = 1."},
@@ -64,6 +65,15 @@ EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
   expect_near("its velocity afterwards, W + W_f + V [m/s]", "Eq. (10.15)",
               (p.motion.W[1] + p.motion.Wf[1] + p.V[1]).z(), 0, roundings(16), {},
               "An active contact keeps no normal velocity. V must be M⁻¹ Gᵀ λ at all times.");
+
+  Problem<3> lift = overlapping_ball(-0.02);
+  lift.motion.W[0].z() = 0.2;
+  relax(lift.motion, lift.rows, lift.V, {.max_sweeps = 1, .tolerance = 0});
+  expect_near(
+      "λ [N s] of the ball on a static floor whose velocity is 0.2 m/s upwards", "Eq. (10.15)",
+      lift.rows[0].lambda, 0.36 / 0.5, roundings(16),
+      {{0.32, "The velocity of the static body is missing. G W has it, although no impulse changes it."}},
+      "B = -G W - G W_f, of both bodies.");
 }
 
 EXERCISE_TEST(Relax, RemovesTheImpulseOfTheGap) {
@@ -138,10 +148,18 @@ EXERCISE_TEST(Relax, BeginsWhereTheFirstSolveEnded) {
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     const int count = trial == 0 ? many : 8;
     Problem<6> p = random_problem(random, count / 2, count);
+    if (trial % 2 == 1)
+      for (Row<6>& row : p.rows) give_any_bounds(random, row);
     solve(p.rows, p.V, {.max_sweeps = 20, .tolerance = 0});
-    Problem<6> from_zero = p, once = p;
+    Problem<6> from_zero = p, once = p, soft_friction = p;
     once.rows = made_rigid(p);
+    for (std::size_t k = 0; k < p.rows.size(); ++k) {
+      Row<6>& row = soft_friction.rows[k];
+      row.B = once.rows[k].B;
+      if (row.hi == infinity) row = once.rows[k];
+    }
     sweep(once.rows, once.V);
+    sweep(soft_friction.rows, soft_friction.V);
     for (Row<6>& row : from_zero.rows) row.lambda = 0;
     for (Twist<6>& V : from_zero.V) V.setZero();
     from_zero.rows = made_rigid(from_zero);
@@ -150,8 +168,10 @@ EXERCISE_TEST(Relax, BeginsWhereTheFirstSolveEnded) {
     expect_near_vector(
         "λ of " + std::to_string(count) + " rows after one sweep [N s]", "Eq. (10.15)", lambdas(p),
         lambdas(once), roundings(1e5 * count, 10),
-        {{lambdas(from_zero), "It began with λ = 0: begin with the λ and V of the first solve."}},
-        "Make one sweep of rigid rows, from the present λ and V. " + ends_early);
+        {{lambdas(from_zero), "It began with λ = 0: begin with the λ and V of the first solve."},
+         {lambdas(soft_friction),
+          "Rows that have an upper bound keep their Σ. In friction rows, too, Σ is 0 now."}},
+        "Make one sweep of rigid rows, from the present λ and V, within the bounds of the rows. " + ends_early);
     expect_near_vector("V after one sweep [m/s, rad/s]", "Eq. (10.15)", flat(p.V), flat(once.V),
                        roundings(1e5 * count, 10), {},
                        "λ and V belong together: change neither before the sweep.");

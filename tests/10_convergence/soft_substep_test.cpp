@@ -113,6 +113,7 @@ EXERCISE_TEST(SoftSubstep, StopsAFastBallAtTheFloor) {
 /// The same substep by chapter 04's rows, with some stages left out or in another place.
 struct ByHand {
   bool forces_last = false, cold = false, forgets_lambda = false, late_gaps = false, gap_of_before = false;
+  bool warm_contacts_only = false, gaps_of_pushing_only = false;
 
   void step(double h, double a, double softness, Problem<6>& p, std::vector<double>& gaps) const {
     std::vector<Twist<6>>& W = p.motion.W;
@@ -134,13 +135,14 @@ struct ByHand {
     };
     const auto move_gaps = [&] {
       for (std::size_t k = 0; k < gaps.size(); ++k)
-        gaps[k] += h * (p.rows[k].Gi.dot(W[static_cast<std::size_t>(p.rows[k].i)]) +
-                        p.rows[k].Gj.dot(W[static_cast<std::size_t>(p.rows[k].j)]));
+        if (p.rows[k].lambda != 0 || !gaps_of_pushing_only)
+          gaps[k] += h * (p.rows[k].Gi.dot(W[static_cast<std::size_t>(p.rows[k].i)]) +
+                          p.rows[k].Gj.dot(W[static_cast<std::size_t>(p.rows[k].j)]));
     };
     if (!forces_last) add_forces();
     for (Row<6>& row : p.rows) {
       if (forgets_lambda) row.lambda = 0;
-      if (!cold) apply_impulse(row, row.lambda, W);
+      if (!cold && (row.lo == 0 || !warm_contacts_only)) apply_impulse(row, row.lambda, W);
     }
     sweep_rows(true, gaps);
     if (!late_gaps) move_gaps();
@@ -182,6 +184,10 @@ EXERCISE_TEST(SoftSubstep, HasItsStagesInTheirOrder) {
         {{as_eigen(gaps), "Gaps have not moved."},
          {by_hand({.late_gaps = true}).second, "Gaps move between the two sweeps."},
          {by_hand({.forces_last = true}).second, "Forces come first, before the sweeps."},
+         {by_hand({.gaps_of_pushing_only = true}).second,
+          "Gaps of rows without an impulse have not moved. All gaps move with the bodies."},
+         {by_hand({.warm_contacts_only = true}).second,
+          "W has the old λ of contacts only. Every row adds its own: joints and friction, too."},
          {by_hand({.cold = true}).second, "W lacks the λ of the last substep: add M⁻¹ Gᵀ λ."},
          {by_hand({.forgets_lambda = true}).second, "Begin with the λ of the last substep, not with 0."}},
         "g <- g + h G W, with W after the soft sweep. " + ends_early);

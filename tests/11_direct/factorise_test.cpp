@@ -202,9 +202,10 @@ EXERCISE_TEST(Factorise, TakesWhatIsOnlyIllConditioned) {
     A.diagonal() << 1, 1 / ratio, 2;
     A(2, 0) = A(0, 2) = 0.5;
     Factors factors;
-    expect_true("a mass ratio of " + show(ratio) + " is accepted", "Eq. (11.4)",
-                factorise(lower_triangle(A), factors),
-                "A pivot is sound even if others are larger: compare it with its own row.");
+    expect_true(
+        "a mass ratio of " + show(ratio) + " is accepted", "Eq. (11.4)", factorise(lower_triangle(A), factors),
+        "A pivot is sound even if others are larger: compare it with its own row. D is in the order of P, "
+        "and A is not.");
   }
   Factors factors;
   const MatrixXd twice = MatrixXd::Ones(2, 2) + 1e-9 * MatrixXd::Identity(2, 2);

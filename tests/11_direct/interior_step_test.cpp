@@ -69,7 +69,7 @@ struct Way {
   bool look = true, counts_rows = false, share_of_itself = false;
   double look_share = 1;  // of the longest first step
   bool whole_mean = false, part_of_product = false, above_by_lambda = false;
-  bool sums = false, below_only = false;  // in place of the mean over all bounds
+  bool sums = false, below_only = false, counts_two_a_row = false;  // in place of the mean over all bounds
   bool without_unit = false, centred = true, with_push = false, product_below = false;
   bool both_steps = false, as_far_as_trial = false;
 };
@@ -84,6 +84,7 @@ Interior dense_interior_step(const Inside& p, const Way& way = {}) {
       if (has_hi(now, k) && !way.below_only) sum += now.room_hi[k] * now.push_hi[k], bounds += 1;
     }
     if (way.sums) return sum;
+    if (way.counts_two_a_row) return sum / (2 * static_cast<double>(n));
     return sum / (way.counts_rows ? static_cast<double>(n) : std::max(bounds, 1.0));
   };
   Target target{.lo = VectorXd::Zero(n), .hi = VectorXd::Zero(n)};
@@ -178,6 +179,8 @@ EXERCISE_TEST(InteriorStep, ChoosesTauByATrialStep) {
           "μ' is the mean after the part α of the first step, not after all of it."},
          {otherwise({.part_of_product = true}), "The term is -Δs Δz, all of it: this is α of it."},
          {otherwise({.above_by_lambda = true}), "Δs⁺ is -Δλ: here the product above has the other sign."},
+         {otherwise({.counts_two_a_row = true}),
+          "μ is the mean over the bounds that there are: this divides by two for each row."},
          {otherwise({.counts_rows = true}), "μ is the mean over bounds: a row has none, one or two."},
          {otherwise({.least_share = 1, .more_share = 0}),
           "Take 0.9 + 0.0999 α of the longest part: here a room, or a push, is exactly 0."},

