@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solvers/cone_sweeps.hpp"
 #include "engine/solvers/registry.hpp"
 
 namespace spook {
@@ -64,42 +65,8 @@ class Memory {
   int differences_ = 0;
 };
 
-/// Without contacts on cones, a sweep on cones equals a sweep of chapter 04.
 template <int Dof>
-class Sweeps {
- public:
-  Sweeps(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V)
-      : rubbing_(rubbing), rows_(rows), V_(V) {}
-
-  double sweep() const {
-    return rubbing_.empty() ? spook::sweep(rows_, V_) : sweep_on_cones(rubbing_, rows_, V_);
-  }
-  Impulses impulses() const {
-    Impulses all(std::ssize(rows_));
-    for (std::size_t k = 0; k < rows_.size(); ++k) all[k] = std::sqrt(rows_[k].diagonal) * rows_[k].lambda;
-    return all;
-  }
-  /// Projects λ on the bounds, and updates V.
-  void start_from(const Impulses& impulses) const {
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      rows_[k].lambda = std::clamp(impulses[k] / std::sqrt(rows_[k].diagonal), rows_[k].lo, rows_[k].hi);
-    for (const auto& [k, mu] : rubbing_) {
-      double &along1 = rows_[k + 1].lambda, &along2 = rows_[k + 2].lambda;
-      const Vec2 inside = onto_disc({along1, along2}, mu * rows_[k].lambda);
-      along1 = inside[0], along2 = inside[1];
-    }
-    std::fill(V_.begin(), V_.end(), Twist<Dof>::Zero());
-    for (const Row<Dof>& row : rows_) apply_impulse(row, row.lambda, V_);
-  }
-
- private:
-  const std::vector<FrictionContact>& rubbing_;
-  std::vector<Row<Dof>>& rows_;
-  std::vector<Twist<Dof>>& V_;
-};
-
-template <int Dof>
-SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
+SolveReport accelerated(ConeSweeps<Dof>& sweeps, const StopRule& stop) {
   constexpr int longest_pause = 8;
   SolveReport report;
   Impulses x = sweeps.impulses(), before, best;
@@ -148,8 +115,12 @@ SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
 
 template <int Dof>
 SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
-                           std::vector<Twist<Dof>>& V, const StopRule& stop) {
-  return accelerated(Sweeps<Dof>(rubbing, rows, V), stop);
+                           std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass,
+                           const StopRule& stop) {
+  ConeSweeps<Dof> sweeps(rubbing, rows, V, inverse_mass);
+  SolveReport report = accelerated(sweeps, stop);
+  sweeps.write_back();
+  return report;
 }
 
 double error_of_accelerated(const std::vector<double>& history) {
@@ -168,15 +139,18 @@ Solver<Dof> anderson(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
   return {.solve = [on_cones](const SolverInput<Dof>& s) -> SolverResult {
             const std::vector<FrictionContact> none;
-            return anderson_solve(on_cones ? s.rubbing : none, s.rows, s.V, s.stop);
+            return anderson_solve(on_cones ? s.rubbing : none, s.rows, s.V, s.bodies.motion.inverse_mass,
+                                  s.stop);
           },
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box};
 }
 
 template SolveReport anderson_solve<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
-                                       std::vector<Twist<3>>&, const StopRule&);
+                                       std::vector<Twist<3>>&, const std::vector<InverseMass<3>>&,
+                                       const StopRule&);
 template SolveReport anderson_solve<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
-                                       std::vector<Twist<6>>&, const StopRule&);
+                                       std::vector<Twist<6>>&, const std::vector<InverseMass<6>>&,
+                                       const StopRule&);
 template Solver<3> anderson<3>(FrictionModel);
 template Solver<6> anderson<6>(FrictionModel);
 

@@ -8,7 +8,8 @@ namespace spook {
 /// their rows, are on their cones. Ends with the λ that changed least.
 template <int Dof>
 SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
-                           std::vector<Twist<Dof>>& V, const StopRule& stop);
+                           std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass,
+                           const StopRule& stop);
 
 /// Estimates the error that accelerated sweeps have left [m/s]. Their residuals do not fall at a steady rate, so compares
 /// the least in the second and in the last quarter of the history. Assumes 2 per cent a sweep for fewer than 8 sweeps.
