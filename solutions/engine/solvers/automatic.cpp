@@ -11,7 +11,8 @@
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
-// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
+// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it; once an
+// interior-point attempt has failed, 1e-2 of it suffices.
 //
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
@@ -164,9 +165,10 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;                     // in sweeps
-  static constexpr double share_left = 1e-3, share_enough = 1e-6;        // of the right-hand side
-  static constexpr double share_moving = 3e-3, share_may_be_left = 0.1;  // of the approach of moving contacts
+  static constexpr double worth_of_a_solution = 100;               // in sweeps
+  static constexpr double share_left = 1e-3, share_enough = 1e-6;  // of the right-hand side
+  // of the approach of moving contacts
+  static constexpr double share_moving = 3e-3, share_moving_suffices = 1e-2, share_may_be_left = 0.1;
 
   /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
@@ -254,7 +256,7 @@ class Automatic {
     if (part.rubbing.empty())
       return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
     start_from(part.last, part.rows, part.V);
-    return anderson_solve(part.rubbing, part.rows, part.V,
+    return anderson_solve(part.rubbing, part.rows, part.V, part.inverse_mass,
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
@@ -265,7 +267,8 @@ class Automatic {
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, enough, {.suffices = share_left});
+    const double suffices = std::max(share_left, share_moving_suffices * part.approach / rhs_norm(part.rows));
+    return solve_on_cones(problem, enough, {.suffices = suffices});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

@@ -26,7 +26,8 @@ class Attempts {
     start_ = problem_.impulses();
     const double first = problem_.residual();
     const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || is_accurate() ||
-                        from_within() || by_sweeps();
+                        from_within(infinity) || by_sweeps() || from_within(0.3) || from_within(0.1) ||
+                        from_within(0.03) || by_sweeps();
     if (report_.history.empty()) report_.history.push_back(first);
     report_.converged = solved;
     return std::move(report_);
@@ -42,61 +43,57 @@ class Attempts {
     return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
   }
 
-  /// Accepts the best λ of Newton's method, the initial λ included, if its residual is small enough.
-  bool is_accurate() const { return problem_.residual() <= part(share_within); }
-
-  bool from_within() {
-    std::vector<double> best = problem_.impulses();
-    double least = problem_.residual();
-    for (const double share : {infinity, 0.3, 0.1, 0.03}) {
-      const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
-      if (rule.factorisations <= 0) break;
-      problem_.set_impulses(start_);
-      tried_within_ = true;
-      const double enough = part(share == infinity ? share_within : share_lagged);
-      if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
-      if (report_.history.back() < least) {
-        least = report_.history.back();
-        best = problem_.impulses();
-      }
-      if (least <= part(std::max(share_lagged, effort_.suffices))) {
-        end_with(best, least);
-        return true;
-      }
-    }
-    end_with(best, least);
-    return false;
+  /// Accepts the best λ of Newton's method, the initial λ included, if its residual is small enough. Remembers it.
+  bool is_accurate() {
+    keep(problem_.residual());
+    return least_ <= part(share_within);
   }
 
+  /// One attempt of the interior point. `share` of the limits is current, the rest lagged.
+  bool from_within(double share) {
+    const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
+    if (rule.factorisations <= 0) return false;
+    problem_.set_impulses(start_);
+    const double enough = part(share == infinity ? share_within : share_lagged);
+    if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
+    keep(report_.history.back());
+    return end_with_best();
+  }
+
+  /// Alternates sweeps and Newton's method, from the best λ so far.
   bool by_sweeps() {
     constexpr int rounds = 8, sweeps = 20, factorisations = 4;
-    std::vector<double> best = problem_.impulses();
-    double least = problem_.residual();
-    for (int round = 0; round < rounds && remaining() > 0 && least > part(share_lagged); ++round) {
+    for (int round = 0; round < rounds && remaining() > 0; ++round) {
       problem_.sweep(sweeps);
       const std::vector<double> swept = problem_.impulses();
-      if (const double left = problem_.residual(); left < least) {
-        least = left;
-        best = swept;
-      }
+      keep(problem_.residual());
+      if (is_enough()) break;
       if (newton(factorisations)) return true;
       problem_.set_impulses(swept);
     }
-    end_with(best, least);
-    return tried_within_ && least <= part(share_lagged);
+    return end_with_best();
   }
 
-  /// The last entry of the history is the residual of λ.
-  void end_with(const std::vector<double>& lambda, double left) {
-    problem_.set_impulses(lambda);
-    if (!report_.history.empty()) report_.history.back() = left;
+  void keep(double left) {
+    if (!(left < least_)) return;
+    least_ = left;
+    best_ = problem_.impulses();
+  }
+
+  bool is_enough() const { return least_ <= part(std::max(share_lagged, effort_.suffices)); }
+
+  /// Returns to the best λ, and tells whether it is enough. The last entry of the history is the residual of λ.
+  bool end_with_best() {
+    problem_.set_impulses(best_);
+    if (!report_.history.empty()) report_.history.back() = least_;
+    return is_enough();
   }
 
   ConeProblem<Dof>& problem_;
   double tolerance_;  // [m/s]
   ConeEffort effort_;
-  std::vector<double> start_;
-  bool tried_within_ = false;  // if false, the residual shows only that too few factorisations were allowed
+  std::vector<double> start_, best_;
+  double least_ = infinity;  // the residual of the best λ after Newton's method [m/s]
   SolveReport report_;
 };
 

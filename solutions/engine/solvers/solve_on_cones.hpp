@@ -3,8 +3,9 @@
 //
 //   a sweep          from the current λ: bodies at rest are solved by it
 //   Newton           engine/solvers/cone_newton.hpp, as long as the residual falls
-//   interior point   engine/solvers/cone_interior_point.hpp, first with current friction limits, then with lagged ones
-//   sweeps           alternating with Newton
+//   interior point   engine/solvers/cone_interior_point.hpp, with current friction limits
+//   sweeps           alternating with Newton, from the best λ so far
+//   interior point   with lagged friction limits, three times; and sweeps once more
 #include "engine/solvers/cone_problem.hpp"
 #include "engine/solvers/solver_result.hpp"
 
@@ -13,7 +14,7 @@ namespace spook {
 /// Limits of the attempts.
 struct ConeEffort {
   int most = 300;  ///< factorisations
-  /// The residual, over the largest |B|, at which no further method is tried once the interior point has ended.
+  /// The residual, over the largest |B|, at which no further method is tried once one interior-point attempt has ended.
   double suffices = 0;
 };
 
