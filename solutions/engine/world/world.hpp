@@ -280,11 +280,13 @@ class World {
   /// belong to its last part.
   int parts() const { return parts_; }
 
-  /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older.
+  /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older. Forces
+  /// are those at the position; impulses of contacts and joints are half of those in the last step. Throws
+  /// std::invalid_argument unless h is positive.
   Vec3 synchronized_velocity(int body, double h) const;
 
-  /// The angular velocity at the time of the position [rad/s]. Includes the gyroscopic torque if the rotation rule
-  /// treats it as a torque, but not the torque of `wrench`.
+  /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and the
+  /// gyroscopic torque if the rotation rule treats it as a torque.
   Vec3 synchronized_angular_velocity(int body, double h) const requires(Dof == 6);
 
   /// The contacts of the last step; the normal impulse of a contact [N s]; its whole impulse on body j, friction
@@ -373,6 +375,7 @@ class World {
   void shift_to_step(double h);
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
+  Twist<Dof> half_change_by_rows(std::size_t i) const;
   ImpactLaw impact_law(const Contact& contact, double h) const;
   void resolve_impacts(double h);
   void set_default_stiffness(double h);

@@ -110,23 +110,41 @@ void World<Dof>::start_consistently(double h) {
   forget_the_last_step();
 }
 
+/// Half of the change of velocity by the rows of the last step: their forces at the time of the position are not known
+/// before the next step.
+template <int Dof>
+Twist<Dof> World<Dof>::half_change_by_rows(std::size_t i) const {
+  if (settings_.soft_steps || rows_.empty() || V_.size() != bodies_.size()) return Twist<Dof>::Zero();
+  return V_[i] / 2;
+}
+
 template <int Dof>
 Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
+  require_positive("h", h);
   const std::size_t i = index(body);
   if (settings_.integrator_order == 4) return v(body);
   Vec3 now = force(i);
   if (settings_.wrench && !bodies_.is_fixed(i)) now += settings_.wrench(i, bodies_, time_).template head<3>();
-  return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h / parts_);
+  return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h / parts_) +
+         half_change_by_rows(i).template head<3>();
 }
 
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
 Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const requires(Dof == 6) {
+  require_positive("h", h);
   const std::size_t i = index(body);
   const Vec3 omega = bodies_.motion.W[i].template tail<3>();
-  if constexpr (Dof == 6)
-    if (settings_.integrator_order != 4)
-      return omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, velocity_lag(h));
+  if constexpr (Dof == 6) {
+    if (settings_.integrator_order == 4) return omega;
+    const double lag = velocity_lag(h);
+    Vec3 now = omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, lag);
+    if (settings_.wrench && !bodies_.is_fixed(i)) {
+      const Vec3 torque = settings_.wrench(i, bodies_, time_).template tail<3>();
+      now += lag * bodies_.orientations.inverse_inertia(i) * torque;
+    }
+    return now + half_change_by_rows(i).template tail<3>();
+  }
   return omega;
 }
 
