@@ -45,7 +45,7 @@ template <int Dof>
 SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);
 
 /// Exercise 11.2. The matrix of Eq. (11.2), its lower triangle: first Dof unknowns for each body, then one for each
-/// row. A static body has the identity for its M, and no entries of G.
+/// row. A static body has the identity for its M, and no entries of G. Other rigid bodies have three positive moments.
 template <int Dof>
 SparseMatrix saddle_matrix(const std::vector<Row<Dof>>& rows,
                            const std::vector<InverseMass<Dof>>& inverse_mass);
