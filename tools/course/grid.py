@@ -53,7 +53,7 @@ def same(one: Any, other: Any) -> bool:
 def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tuple[float | None, float | None]]:
     """Returns for each row the ratio of errors and the observed order.
 
-    Both are from the last row before that differs in h, or else d, or else k, alone.
+    Both are from the last row before that differs in h, or else d, or else k, alone. A lost run has none.
 
     The order p of errors e and e' is log(e/e')/log(h/h'). A sweep of none of the three has none.
     """
@@ -67,7 +67,14 @@ def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tupl
     return found
 
 
+def is_lost(row: Mapping[str, Any]) -> bool:
+    """Returns True for a run whose motion is not that of the problem, or that did not get to its end."""
+    return row.get("state") in ("lost", "blew up")
+
+
 def _order(before: Mapping[str, Any], now: Mapping[str, Any], axis: str) -> tuple[float | None, float | None]:
+    if is_lost(before) or is_lost(now):
+        return None, None
     values, errors = [number(before[axis]), number(now[axis])], [before["error"], now["error"]]
     if not all(each and 0 < each < math.inf for each in values + errors) or values[0] == values[1]:
         return None, None
@@ -77,13 +84,15 @@ def _order(before: Mapping[str, Any], now: Mapping[str, Any], axis: str) -> tupl
 @dataclass(frozen=True)
 class Mean:
     point: dict[str, Any]  # without the seed
-    runs: int  # that have an error
+    runs: int  # that have an error and are not lost
+    unsolved: int  # of these
+    lost: int  # the runs that are left out as lost
     mean: float | None
     half_width: float | None  # of the 95 % confidence interval of the mean; None for fewer than two runs
 
 
 def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = SEED) -> list[Mean]:
-    """Returns the mean error over seeds for each combination of the other values.
+    """Returns the mean error over seeds for each combination of the other values. Lost runs are left out, and counted.
 
     The interval holds for errors that are normally distributed.
     """
@@ -95,15 +104,17 @@ def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = S
 
 
 def _mean(point: dict[str, Any], rows: list[Mapping[str, Any]]) -> Mean:
-    errors = [row["error"] for row in rows if row["error"] is not None and math.isfinite(row["error"])]
-    count = len(errors)
+    lost = sum(map(is_lost, rows))
+    kept = [row for row in rows if not is_lost(row) and row["error"] is not None and math.isfinite(row["error"])]
+    unsolved = sum(row.get("state") == "unsolved" for row in kept)
+    errors, count = [row["error"] for row in kept], len(kept)
     if count == 0:
-        return Mean(point, 0, None, None)
+        return Mean(point, 0, 0, lost, None, None)
     mean = math.fsum(errors) / count
     if count == 1:
-        return Mean(point, 1, mean, None)
+        return Mean(point, 1, unsolved, lost, mean, None)
     deviation = math.sqrt(math.fsum((error - mean) ** 2 for error in errors) / (count - 1))
-    return Mean(point, count, mean, student_t(count - 1) * deviation / math.sqrt(count))
+    return Mean(point, count, unsolved, lost, mean, student_t(count - 1) * deviation / math.sqrt(count))
 
 
 @functools.cache

@@ -53,6 +53,7 @@ class Runs:
                 raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
         if csv is not None:
             _require_writable(csv)
+            _require_other(csv, self._words[0])
         plain = without([word for word in self._words if word != "--json"], "--csv")
         names = self._parameters(plain[0])
         index, count = self._extras.shard
@@ -167,6 +168,12 @@ def _require_writable(file: str) -> None:
     path = Path(file)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
         raise BadInput(f'run: csv "{file}" cannot be written')
+
+
+def _require_other(csv: str, scene: str) -> None:
+    """Refuses to replace the scene's file by the table."""
+    if Path(csv).exists() and Path(scene).exists() and Path(csv).samefile(scene):
+        raise BadInput(f'run: --csv must be another file than the scene, but is "{csv}"')
 
 
 def value_of(option: str, words: list[str]) -> str | None:

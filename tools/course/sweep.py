@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from grid import ORDERED, SEED, Mean, means, orders
+from grid import ORDERED, SEED, Mean, means, number, orders
 from terminal import counted, fold
 
 
@@ -24,7 +24,8 @@ class Sweep:
 
     def rows(self) -> list[dict[str, Any]]:
         """Returns a flat row for each run: its values as typed, its numbers, its state."""
-        flat = [_row(result) for result in self.results]
+        h = next((result.run["h"] for result in self.results if result.run), None)  # of all runs, where it is not swept
+        flat = [_row(result, h) for result in self.results]
         for row, (ratio, order) in zip(flat, orders(flat, self.axes)):
             row |= {"ratio": ratio, "order": order}
         return flat
@@ -38,15 +39,17 @@ class Sweep:
                 | {"h": row["seconds_of_h"]} for row in self.rows()]
 
 
-_NONE = dict.fromkeys(("error", "unit", "state", "why", "residual", "us_per_step", "row_updates", "steps", "time"))
+_NONE = dict.fromkeys(("error", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps", "time"))
 
 
-def _row(result: Result) -> dict[str, Any]:
+def _row(result: Result, h: float | None) -> dict[str, Any]:
+    """Returns the row of a run. A run that blew up has the `h` of its point, or that of the other runs."""
     if result.run is None:
-        return {**result.point, **_NONE, "seconds_of_h": None, "state": "lost", "why": result.why}
+        h = number(result.point["h"]) if "h" in result.point else h
+        return {**result.point, **_NONE, "seconds_of_h": h, "state": "lost", "why": result.why}
     run = result.run
     return {**result.point, "error": run["error"]["value"], "unit": run["error"]["unit"], "state": run["state"]["name"],
-            "why": run["state"]["reason"], "residual": run["residual"], "us_per_step": run["us_per_step"],
+            "why": run["state"]["reason"], "note": run["state"].get("note", ""), "residual": run["residual"], "us_per_step": run["us_per_step"],
             "row_updates": run["row_updates"], "steps": run["steps"], "time": run["time"], "seconds_of_h": run["h"]}
 
 
@@ -55,8 +58,9 @@ def as_json(sweep: Sweep) -> str:
             | (result.run or {}) for result, row in zip(sweep.results, sweep.rows())]
     return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
                        "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
-                       "means": [{"point": mean.point, "runs": mean.runs, "mean": mean.mean,
-                                  "half_width": mean.half_width} for mean in sweep.means()]}, ensure_ascii=False)
+                       "means": [{"point": mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
+                                  "mean": mean.mean, "half_width": mean.half_width} for mean in sweep.means()]},
+                      ensure_ascii=False)
 
 
 def as_text(sweep: Sweep) -> str:
@@ -94,12 +98,13 @@ def _order_note(sweep: Sweep) -> list[str]:
 def _mean_lines(found: list[Mean]) -> list[str]:
     if not found:
         return []
-    lines = [[*found[0].point, "runs", "mean error", "±"]]
+    lines = [[*found[0].point, "runs", "mean error", "±", "unsolved", "lost"]]
     for mean in found:
-        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"),
-                      _shown(mean.half_width, "", ".2g")])
-    return ["", "mean over seeds, with its 95 % confidence interval", "",
-            *_aligned(lines, kept=len(lines[0]), left=len(found[0].point))]
+        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"), _shown(mean.half_width, "", ".2g"),
+                      str(mean.unsolved or ""), str(mean.lost or "")])
+    lost = "; lost runs are left out" if any(mean.lost for mean in found) else ""
+    return ["", f"mean over seeds, with its 95 % confidence interval{lost}", "",
+            *_aligned(lines, kept=len(lines[0]) - 2, left=len(found[0].point))]
 
 
 def _skipped(skipped: list[Result]) -> list[str]:
