@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import hashlib
 import io
 import json
 import math
@@ -17,6 +18,7 @@ from unittest import mock
 
 from sandbox import ROOT, Sandbox, all_exercises
 
+import arguments
 import grid
 import plot
 import runs
@@ -62,6 +64,13 @@ class Orders(unittest.TestCase):
         rows = [{"bodies": str(n), "error": n} for n in (1, 2)]  # an error goes with a power of h, d and k alone
         self.assertEqual(grid.orders(rows, ["bodies"]), nothing)
 
+    def test_a_lost_run_has_none(self):
+        for states in (("lost", "sound"), ("sound", "lost"), ("sound", "blew up")):
+            rows = [{"h": h, "error": error, "state": state} for h, error, state in zip(("2", "1"), (4, 1), states)]
+            self.assertEqual(grid.orders(rows, ["h"]), [(None, None)] * 2, states)
+        rows = [{"h": h, "error": error, "state": "unsolved"} for h, error in (("2", 4), ("1", 1))]
+        self.assertEqual(grid.orders(rows, ["h"])[1], (4, 2))
+
     def test_of_a_product_compare_what_differs_in_one_value(self):
         axes = {"h": ["0.1", "0.05"], "scale": ["1", "7"], "d": ["2", "3"]}
         rows = [point | {"error": float(point["scale"]) * float(point["d"]) * float(point["h"]) ** 2}
@@ -82,6 +91,11 @@ class Orders(unittest.TestCase):
         self.assertIn("h = 0.01: blown up: body 3", table)
         starts = Sweep({"start": ("a", "b")}, [result({"start": "a"}, 8), result({"start": "b"}, 2)], [])
         self.assertNotIn("order", as_text(starts))
+
+    def test_a_run_that_blew_up_keeps_its_step(self):
+        for point, others, h in (({"h": "1/2"}, [], 0.5), ({"d": "1"}, [result({"d": "2"}, 1.0)], 0.5), ({"d": "1"}, [], None)):
+            row = Sweep({name: (value,) for name, value in point.items()}, [Result(point, None, "blew up"), *others], []).table()[0]
+            self.assertEqual((row["h"], row["why"]), (h, "blew up"))
 
     def test_a_sound_run_without_an_answer_is_not_lost(self):
         table = as_text(Sweep({"d": ("2",)}, [result({"d": "2"}, None)], []))
@@ -131,6 +145,18 @@ class Grid(unittest.TestCase):
         self.assertAlmostEqual(x.half_width, grid.student_t(1) * math.sqrt(2) / math.sqrt(2), 8)
         self.assertEqual((y.runs, y.mean, y.half_width), (0, None, None))
 
+    def test_means_leave_out_lost_runs_and_count_unsolved_ones(self):
+        states = {"1": "sound", "2": "lost", "3": "unsolved", "4": "blew up"}
+        rows = [{"seed": seed, "error": float(seed), "state": state} for seed, state in states.items()]
+        (mean,) = grid.means(rows, ["seed"])
+        self.assertEqual((mean.runs, mean.unsolved, mean.lost, mean.mean), (2, 1, 2, 2.0))
+        state = {"2": {"state": {"name": "lost", "reason": "r"}}}
+        swept = Sweep({"seed": tuple("123")}, [result({"seed": k}, float(k), **state.get(k, {})) for k in "123"], [])
+        said = as_text(swept)
+        self.assertIn("lost runs are left out", said)
+        self.assertIn(["2", "2", "13", "1"], [line.split() for line in said.splitlines()])  # runs, mean, ±, lost
+        self.assertEqual(json.loads(as_json(swept))["means"][0]["lost"], 1)
+
 
 class Words(unittest.TestCase):
     def test_lists_of_several_options(self):
@@ -143,6 +169,12 @@ class Words(unittest.TestCase):
         words = ["pile", "--set", "seed=7", "mu=1"]
         self.assertEqual(with_changed(words, "seed", "3", {"seed", "mu"}), ["pile", "--set", "mu=1", "--set", "seed=3"])
         self.assertEqual(with_changed(["orbit"], "seed", "3", {"m"}), ["orbit", "--seed", "3"])
+
+    def test_a_misspelled_option_is_told_with_the_nearest_name(self):
+        for name, words in (("iteratons", "did you mean iterations?"), ("solvr", "did you mean solver?"),
+                            ("rato", "did you mean ratio?"), ("zzz", "there are: ratio, contact-margin")):
+            with self.assertRaisesRegex(BadInput, f"'{name}' is neither a parameter of stack nor an option of run; {re.escape(words)}"):
+                with_changed(["stack"], name, "3", {"ratio"})
 
 
 class OnSlurm(unittest.TestCase):
@@ -192,6 +224,26 @@ class Refused(unittest.TestCase):
             with plot._results_set_aside(folder):
                 (folder / "claims.json").write_text("new")
             self.assertEqual([path.name for path in folder.iterdir()], ["claims.json"])
+
+
+    def test_what_an_experiment_refuses_is_printed_once(self):
+        def refusing(command, on_line):
+            for line in ("[1/2] a\n", "told\n", "shard must be i/n\n"):
+                on_line(line)
+            return 2, "told\nshard must be i/n\n"
+
+        asked = mock.Mock(merge=None, more=[], quick=False, shard=None)
+        with tempfile.TemporaryDirectory() as name, mock.patch.object(plot, "stream", refusing), \
+                contextlib.redirect_stdout(io.StringIO()) as out:
+            with self.assertRaisesRegex(BadInput, "^plot: shard must be i/n$"):
+                plot._compute(mock.Mock(), asked, Path("program"), Path(name), False)
+        self.assertEqual(out.getvalue().split(), ["told"])
+
+    def test_an_option_of_an_experiment_is_told_its_place(self):
+        with self.assertRaisesRegex(BadInput, "unknown option '--scene'; options of an experiment go after --"):
+            arguments.parse(["plot", "work_precision", "--scene", "wire"])
+        with self.assertRaisesRegex(BadInput, "unknown option '--quik'; did you mean --quick"):
+            arguments.parse(["plot", "work_precision", "--quik"])
 
 
 class Columns(unittest.TestCase):
@@ -321,6 +373,14 @@ class Runs(unittest.TestCase):
         said = self.run_scene("tower.json", "--time", "0.1", "--sweep", "solver=gauss_seidel,auto", "h=1/60,1/120")
         self.assertEqual(len(re.findall(r"^(?:gauss_seidel|auto) ", said, re.MULTILINE)), 4)
         self.assertNotIn("lost", said)  # it has no answer
+        self.run_scene("tower.json", "--time", "0.1", "--sweep", "h=1/60,1/120", "--csv", "tower.csv")
+        hashes = json.loads((self.box.root / "tower.csv.manifest.json").read_text())["sha256"]
+        self.assertEqual(hashes["tower.json"], hashlib.sha256((self.box.root / "tower.json").read_bytes()).hexdigest())
+        self.assertEqual({Path(name).name for name in hashes}, {"spook", "tower.json"})
+        before = (self.box.root / "tower.json").read_text()
+        self.box.assert_refused(self, ["run", "tower.json", "--sweep", "h=0.1,0.2", "--csv", "./tower.json"],
+                                ["--csv must be another file than the scene"])
+        self.assertEqual((self.box.root / "tower.json").read_text(), before)
 
     def test_a_file_has_parameters_that_sweep(self):
         scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {

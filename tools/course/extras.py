@@ -9,7 +9,7 @@ from mine import own_engine
 HELP = """
 Of the course:
   --mine                  With what you have written so far, right or wrong
-  --engine mine           By your own step: the plain engine, with --mine
+  --engine mine           A third choice: the plain engine with your own step
   --plot NAME[,NAME ...]  Draw what --csv has over time: a column, or all whose
                           names begin with this word
   --sweep NAME=A,B,... ...
