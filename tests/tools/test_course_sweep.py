@@ -158,6 +158,37 @@ class Grid(unittest.TestCase):
         self.assertEqual(json.loads(as_json(swept))["means"][0]["lost"], 1)
 
 
+    def test_means_have_orders_too(self):
+        rows = [{"h": h, "seed": k, "error": value * float(h)} for h in ("0.2", "0.1") for k, value in enumerate((1, 3))]
+        found = grid.means(rows, ["h", "seed"])
+        first, second = grid.mean_orders(found)
+        self.assertIsNone(first)
+        self.assertAlmostEqual(second, 1, 12)
+        self.assertEqual(grid.mean_orders([]), [])
+
+    def test_an_order_is_fitted_to_all_runs_and_its_interval_holds_as_often_as_it_says(self):
+        steps = ("1/10", "1/20", "1/40", "1/80")
+        exact = [{"h": h, "a": a, "error": 3 * grid.number(h) ** 2, "state": "sound"} for a in "xy" for h in steps]
+        exact.append({"h": "1", "a": "x", "error": 1e99, "state": "lost"})
+        self.assertEqual([(fit.point, fit.runs) for fit in grid.fits(exact, ["h", "a"])], [({"a": "x"}, 4), ({"a": "y"}, 4)])
+        for fit in grid.fits(exact, ["h", "a"]):
+            self.assertAlmostEqual(fit.order, 2, 12)
+            self.assertLess(fit.half_width, 1e-12)
+        self.assertEqual(grid.fits(exact[:2], ["h", "a"]), [])  # two values give no uncertainty
+        self.assertEqual(grid.fits([{"bodies": "2", "error": 1}] * 3, ["bodies"]), [])
+        draws, trials, held = random.Random(2), 1000, 0
+        for _ in range(trials):
+            rows = [{"h": h, "seed": k, "error": grid.number(h) * math.exp(draws.gauss(0, 0.5))} for h in steps for k in range(2)]
+            (fit,) = grid.fits(rows, ["h", "seed"])
+            held += abs(fit.order - 1) <= fit.half_width
+        # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
+        self.assertAlmostEqual(held, 950, delta=4 * math.sqrt(trials * 0.95 * 0.05), msg="seed 2")
+        said = as_text(of_h("1/10", "1/20", "1/40", error=lambda h: 3 * h ** 2))
+        self.assertIn("order by a line through all runs", said)
+        self.assertEqual(json.loads(as_json(of_h("0.4", "0.2", "0.1")))["fits"][0]["runs"], 3)
+        self.assertNotIn("-0.00", as_text(of_h("0.2", "0.1", error=lambda h: 1 + 1e-5 / h)))
+
+
 class Words(unittest.TestCase):
     def test_lists_of_several_options(self):
         extras, words = taken(["pile", "--set", "bodies=5,10", "mu=0.3", "--sweep", "seed=1,2", "h=1/60,1/120", "--json"])
@@ -234,7 +265,7 @@ class Refused(unittest.TestCase):
 
         asked = mock.Mock(merge=None, more=[], quick=False, shard=None)
         with tempfile.TemporaryDirectory() as name, mock.patch.object(plot, "stream", refusing), \
-                contextlib.redirect_stdout(io.StringIO()) as out:
+                mock.patch.object(plot, "Live"), contextlib.redirect_stdout(io.StringIO()) as out:
             with self.assertRaisesRegex(BadInput, "^plot: shard must be i/n$"):
                 plot._compute(mock.Mock(), asked, Path("program"), Path(name), False)
         self.assertEqual(out.getvalue().split(), ["told"])
@@ -362,6 +393,19 @@ class Runs(unittest.TestCase):
         shards = [json.loads(self.run_scene(*call, "--shard", f"{k}/2"))["runs"] for k in (1, 2)]
         self.assertEqual([run["point"] for run in told["runs"]],
                          [run["point"] for pair in zip(*shards) for run in pair])
+        parts = [word for word in call if word not in ("--csv", "sweep.csv", "--json")]
+        for k in (1, 2):
+            self.assertIn(f"mean over seeds of shard {k}/2", self.run_scene(*parts, "--shard", f"{k}/2", "--csv", f"{k}.csv"))
+        sweep = ["pile", "--set", "bodies=5,10", "--sweep", "seed=1,2,3"]
+        merged = json.loads(self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--json"))
+        self.assertEqual(merged["means"], told["means"])
+        self.assertEqual([run["error"]["value"] for run in merged["runs"]], [run["error"]["value"] for run in told["runs"]])
+        self.assertIn("3 combinations skipped: it is in none of the merged tables", self.run_scene(*sweep, "--merge", "1.csv"))
+        self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--csv", "all.csv")
+        joined = list(csv.DictReader(io.StringIO((self.box.root / "all.csv").read_text())))
+        self.assertEqual(list(joined[0]), list(rows[0]))
+        for name in ("bodies", "seed", "h", "error", "steps", "row_updates"):
+            self.assertEqual([float(row[name]) for row in joined], [float(row[name]) for row in rows], name)
 
     def test_combinations_that_are_refused_are_counted(self):
         said = self.run_scene("stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random")
@@ -456,6 +500,11 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
                             (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),
                             (["orbit", "--shard", "1/2"], ["--shard needs --sweep"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "a", "--csv=b"], ["--csv is given twice"]),
+                            (["orbit", "--merge", "a.csv"], ["--merge needs --sweep"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "no.csv"], ['--merge "no.csv" cannot be read']),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "README.md"], ["is no table of this sweep", "column h"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "a", "--shard", "1/2"], ["leave out --shard"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)
 

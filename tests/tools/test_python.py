@@ -844,6 +844,9 @@ class Sweeps(WithModule):
             self.assertTrue(math.isnan(rows.rows[0]["order"]))
             np.testing.assert_allclose(rows["order"][1:], order, atol=0.05)
             np.testing.assert_array_equal(rows["h"], [1 / 120, 1 / 240, 1 / 480])
+            (fit,) = table.fits().where(start=start)
+            self.assertAlmostEqual(fit["order"], order, delta=0.05)
+            self.assertEqual(fit["runs"], 3)
 
     def test_a_row_is_what_the_run_alone_says(self):
         stack = spook.scene("stack", bodies=5)
@@ -873,7 +876,7 @@ class Sweeps(WithModule):
             alone = spook.scene("pile", bodies=5, seed=row["seed"]).run(time=0.1)
             self.assertEqual((row["error"], row["row_updates"]), (alone.error, alone.row_updates))
         (mean,) = table.means().rows
-        self.assertEqual(mean["runs"], 3)
+        self.assertEqual((mean["runs"], mean["unsolved"], mean["lost"]), (3, 0, 0))
         self.assertAlmostEqual(mean["mean"], table["error"].mean(), delta=1e-12 * abs(table["error"]).max())
         with self.assertRaisesRegex(KeyError, "'h' is not swept"):
             table.means("h")

@@ -117,6 +117,45 @@ def _mean(point: dict[str, Any], rows: list[Mapping[str, Any]]) -> Mean:
     return Mean(point, count, unsolved, lost, mean, student_t(count - 1) * deviation / math.sqrt(count))
 
 
+def mean_orders(found: Sequence[Mean]) -> list[float | None]:
+    """Returns the observed order of each mean, from the last one before that differs in h, or else d, or else k, alone."""
+    rows = [{**mean.point, "error": mean.mean} for mean in found]
+    return [order for _, order in orders(rows, found[0].point if found else ())]
+
+
+@dataclass(frozen=True)
+class Fit:
+    point: dict[str, Any]  # without the seed, and without h, or else d, or else k
+    runs: int
+    order: float
+    half_width: float  # of the 95 % confidence interval of the order
+
+
+def fits(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[Fit]:
+    """Returns the order p of each combination of the other values, by a line through log(error) over log(h).
+
+    Lost runs are left out, and so are combinations with fewer than three runs or values of h. The interval holds for
+    logarithms that scatter normally about the line.
+    """
+    axis = next((name for name in ORDERED if name in names), None)
+    others = [name for name in names if name not in (axis, SEED)]
+    groups: dict[tuple, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        if axis and not is_lost(row) and all(each and 0 < each < math.inf for each in (number(row[axis]), row["error"])):
+            groups.setdefault(tuple(str(row[name]) for name in others), []).append(row)
+    return [_fit({name: group[0][name] for name in others}, group, axis) for group in groups.values()
+            if len({number(row[axis]) for row in group}) > 2]
+
+
+def _fit(point: dict[str, Any], rows: list[Mapping[str, Any]], axis: str) -> Fit:
+    x, y = [math.log(number(row[axis])) for row in rows], [math.log(row["error"]) for row in rows]
+    count, x_mean, y_mean = len(rows), math.fsum(x) / len(rows), math.fsum(y) / len(rows)
+    spread = math.fsum((each - x_mean) ** 2 for each in x)
+    order = math.fsum((a - x_mean) * (b - y_mean) for a, b in zip(x, y)) / spread
+    left = math.fsum((b - y_mean - order * (a - x_mean)) ** 2 for a, b in zip(x, y))
+    return Fit(point, count, order, student_t(count - 2) * math.sqrt(left / (count - 2) / spread))
+
+
 @functools.cache
 def student_t(freedom: int, probability: float = 0.95) -> float:
     """Returns the t that a variable of Student's distribution exceeds in size with 1 - probability.

@@ -238,8 +238,7 @@ class World {
 
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
   /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for other
-  /// numbers, masses or shapes of bodies, other joints or settings, and for a world with a stepper; std::runtime_error
-  /// for a state that ends too early.
+  /// bodies, joints or settings, and for a world with a stepper; std::runtime_error for a state that ends too early.
   /// engine/support/state_stream.hpp has bytes_of_state(world) and read_state(bytes, world).
   void state(StateStream& s);
 

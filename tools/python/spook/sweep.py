@@ -58,15 +58,26 @@ class Table:
     def means(self, over: str = grid.SEED) -> Table:
         """Returns the mean error over seeds, or another name, for each other combination.
 
-        Columns: `runs`, how many of them are `unsolved`, how many `lost` ones are left out, `mean`, and `half_width`.
+        Columns: `runs`, how many of them are `unsolved`, how many `lost` ones are left out, `mean`, `half_width`, and
+        the `order` of the means.
         half_width is that of the 95 % confidence interval of the mean, if errors are normally distributed; NaN for
         fewer than two runs. Runs without an error are left out, too. Raises KeyError for a name that is not swept.
         """
         if over not in self._names:
             raise KeyError(f"{over!r} is not swept; swept are: {', '.join(self._names)}")
+        found = grid.means(self.rows, self._names, over)
         return Table([{**mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
-                       "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width)}
-                      for mean in grid.means(self.rows, self._names, over)])
+                       "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width), "order": _or_nan(order)}
+                      for mean, order in zip(found, grid.mean_orders(found))])
+
+    def fits(self) -> Table:
+        """Returns the order by a line through log(error) over log(h), or else d, or else k, for each other combination.
+
+        Columns: `runs`, `order`, and `half_width` of its 95 % confidence interval. All seeds are in one line. Lost runs
+        are left out, and so are combinations with fewer than three values of h.
+        """
+        return Table([{**fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
+                      for fit in grid.fits(self.rows, self._names)])
 
     def to_csv(self, file: str | os.PathLike) -> None:
         """Writes a line of column names and a line for each row. Raises OSError."""
