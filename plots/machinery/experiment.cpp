@@ -1,6 +1,7 @@
 #include "machinery/experiment.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <fstream>
@@ -167,7 +168,12 @@ void require_nothing_left(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
-  throw std::invalid_argument("unknown option " + left.front() + did_you_mean(left.front(), names));
+  const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
+  const auto option = std::find_if(left.begin(), left.end(), is_option);
+  if (option == left.end())
+    throw std::invalid_argument("\"" + left.front() + "\" is an extra argument; leave it out");
+  const std::string name = option->substr(0, option->find('='));
+  throw std::invalid_argument("unknown option " + name + did_you_mean(name, names));
 }
 
 int execute(const Experiment& experiment, const Options& options, const std::string& program_file) {

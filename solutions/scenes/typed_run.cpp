@@ -83,7 +83,7 @@ static void refuse_beside_plain(const TypedRun& typed) {
                 {"max-parts", typed.max_parts.has_value()},
                 {"threads", typed.threads.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()}},
-               "needs the fast engine: leave it out, or leave out --engine");
+               "needs the fast engine: leave it out, or use --engine fast");
 }
 
 /// Refuses a list in the place of a number.

@@ -159,7 +159,8 @@ class Refusals(unittest.TestCase):
             self.refused(f"run stack --soft-steps 4 --{option}", option.split()[0], "soft-steps")
         for substeps in ["0", "1025", "few"]:
             self.refused(f"run stack --soft-steps {substeps}", "soft-steps", substeps)
-        self.refused("run stack --engine plain --soft-steps 4", "soft-steps", "--engine")
+        self.refused("run stack --engine plain --soft-steps 4", "soft-steps", "use --engine fast")
+        self.refused("run pile --engine plain", "engine plain cannot run a scene with materials", "use engine fast")
 
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
