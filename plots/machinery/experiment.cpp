@@ -1,6 +1,7 @@
 #include "machinery/experiment.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/support/did_you_mean.hpp"
 #include "machinery/parts.hpp"
 #include "scenes/number.hpp"
 
@@ -159,6 +161,21 @@ void print_claims(const Claims& claims) {
   }
 }
 
+/// Throws std::invalid_argument for arguments that belong to no option.
+void require_nothing_left(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  if (left.empty()) return;
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+  const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
+  const auto option = std::find_if(left.begin(), left.end(), is_option);
+  if (option == left.end())
+    throw std::invalid_argument("\"" + left.front() + "\" is an extra argument; leave it out");
+  const std::string name = option->substr(0, option->find('='));
+  throw std::invalid_argument("unknown option " + name + did_you_mean(name, names));
+}
+
 int execute(const Experiment& experiment, const Options& options, const std::string& program_file) {
   const Shard shard = parse_shard(options.shard);
   const Parts parts(options.out / "parts", plan(experiment, options.quick), digest(program_file));
@@ -196,7 +213,9 @@ int run_experiment(int argc, char** argv, const std::function<Experiment(Size)>&
   app.add_option("--jobs", options.jobs, "how many points at a time")->check(CLI::PositiveNumber);
   if (more_options) more_options(app);
   try {
+    app.allow_extras();
     app.parse(argc, argv);
+    require_nothing_left(app);
     return execute(make(options.quick ? Size::quick : Size::full), options, argv[0]);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);

@@ -63,8 +63,15 @@ double parse_number(const std::string& name, const std::string& text) {
 }
 
 int parse_whole(const std::string& name, const std::string& text, int low, int high) {
-  const double value = parse_number(name, text);
-  if (value != std::floor(value) || value < low || value > high)
+  const auto parsed = [&] {
+    try {
+      return parse_number(name, text);
+    } catch (const std::invalid_argument&) {
+      return std::nan("");
+    }
+  };
+  const double value = parsed();
+  if (!(value == std::floor(value)) || value < low || value > high)
     throw std::invalid_argument(name + " must be a whole number from " + std::to_string(low) + " to " +
                                 std::to_string(high) + ", but is \"" + text + "\"");
   return static_cast<int>(value);

@@ -11,7 +11,7 @@ namespace spook {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("engine plain cannot run a scene with " + what + ": leave out --engine");
+  throw std::invalid_argument("engine plain cannot run a scene with " + what + ": use engine fast");
 }
 
 template <int Dof>

@@ -83,7 +83,27 @@ static void refuse_beside_plain(const TypedRun& typed) {
                 {"max-parts", typed.max_parts.has_value()},
                 {"threads", typed.threads.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()}},
-               "needs the fast engine: leave it out, or leave out --engine");
+               "needs the fast engine: leave it out, or use --engine fast");
+}
+
+/// Refuses a list in the place of a number.
+static void refuse_lists(const TypedRun& typed) {
+  const std::vector<std::pair<std::string, std::optional<std::string>>> numbers = {
+      {"h", typed.h},
+      {"time", typed.time},
+      {"iterations", typed.iterations},
+      {"tolerance", typed.tolerance},
+      {"substeps", typed.substeps},
+      {"integrator-order", typed.integrator_order},
+      {"seed", typed.seed},
+      {"contact-margin", typed.contact_margin},
+      {"max-parts", typed.max_parts},
+      {"threads", typed.threads},
+      {"soft-steps", typed.soft_steps}};
+  for (const auto& [name, text] : numbers)
+    if (text && text->find(',') != std::string::npos)
+      throw std::invalid_argument(name + " must be one number, but is \"" + *text + "\": a sweep of " + name +
+                                  " takes a list");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {
@@ -99,6 +119,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
                                   .integrator_order = description.integrator_order},
                        .time = description.time};
   Method& method = settings.method;
+  refuse_lists(*this);
   if (h) method.h = parse_number("h", *h);
   if (time) settings.time = parse_number("time", *time);
   if (solver) method.solver = *solver;

@@ -64,11 +64,11 @@ void add_moving(const Place& place, World<Dof>& world) {
   read(place.find("x"), body.x);
   read(place.find("v"), body.v);
   if constexpr (Dof == 3) {
-    place.require_keys({"name", "x", "v", "mass", "density", "radius"});
+    place.require_keys({"name", "material", "x", "v", "mass", "density", "radius", "fixed"});
     read(place.find("radius"), body.radius);
   } else {
-    place.require_keys({"name", "x", "v", "mass", "density", "radius", "q", "omega", "principal", "half_length",
-                        "half_sides", "corners"});
+    place.require_keys({"name", "material", "x", "v", "mass", "density", "radius", "q", "omega", "principal",
+                        "half_length", "half_sides", "corners", "fixed"});
     if (const auto q = place.find("q")) body.q = q->quaternion();
     read(place.find("omega"), body.omega);
     if (const auto moments = place.find("principal")) body.principal = moments->vector();
@@ -125,13 +125,13 @@ Vec3 position_in(const Place& place) {
 template <int Dof>
 void add_static(const Place& place, World<Dof>& world) {
   if constexpr (Dof == 3) {
-    place.require_keys({"name", "fixed", "x", "radius", "v", "surface_velocity", "keyframes"});
+    place.require_keys({"name", "material", "fixed", "x", "radius", "v", "surface_velocity", "keyframes"});
     double radius = 0;
     read(place.find("radius"), radius);
     world.add_fixed(position_in(place), radius);
   } else {
-    place.require_keys({"name", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners", "v",
-                        "omega", "surface_velocity", "keyframes"});
+    place.require_keys({"name", "material", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners",
+                        "v", "omega", "surface_velocity", "keyframes"});
     Body<6> body;
     if (const auto q = place.find("q")) body.q = q->quaternion();
     read_shape(place, body);
@@ -140,10 +140,22 @@ void add_static(const Place& place, World<Dof>& world) {
   add_velocity(place, world);
 }
 
+/// Reads the numbers of a material.
+Material material_in(const Place& place) {
+  Material material;
+  read(place.find("friction"), material.friction);
+  read(place.find("restitution"), material.restitution);
+  read(place.find("k"), material.k);
+  read(place.find("d"), material.d);
+  if (material == Material{}) place.reject("a friction, restitution, k or d");
+  return material;
+}
+
+/// Adds a body without its material.
 template <int Dof>
-void add_body(const Place& place, World<Dof>& world) {
+void add_kind_of_body(const Place& place, World<Dof>& world) {
   if (const auto plane = place.find("plane")) {
-    place.require_keys({"name", "plane", "surface_velocity"});
+    place.require_keys({"name", "material", "plane", "surface_velocity"});
     plane->require_keys({"n", "offset"});
     at(*plane, [&] { world.add_plane((*plane)["n"].vector(), (*plane)["offset"].number()); });
     add_velocity(place, world);
@@ -152,6 +164,23 @@ void add_body(const Place& place, World<Dof>& world) {
   } else {
     add_moving(place, world);
   }
+}
+
+template <int Dof>
+void add_body(const Place& place, World<Dof>& world) {
+  add_kind_of_body(place, world);
+  const auto material = place.find("material");
+  if (!material) return;
+  material->require_keys({"friction", "restitution", "k", "d"});
+  const int body = static_cast<int>(world.bodies().size()) - 1;
+  at(*material, [&] { world.set_material(body, material_in(*material)); });
+}
+
+/// Sets the material of a pair.
+template <int Dof>
+void add_material(const Place& place, const BodyNames& names, World<Dof>& world) {
+  place.require_keys({"i", "j", "friction", "restitution", "k", "d"});
+  world.set_material(names.index(place["i"]), names.index(place["j"]), material_in(place));
 }
 
 JointLimits limits_in(const Place& place) {
@@ -317,6 +346,8 @@ void add_all(const Place& file, const BodyNames& names, World<Dof>& world) {
   for (const Place& body : file["bodies"].list()) at(body, [&] { add_body(body, world); });
   if (const auto joints = file.find("joints"))
     for (const Place& joint : joints->list()) at(joint, [&] { add_joint(joint, names, world); });
+  if (const auto materials = file.find("materials"))
+    for (const Place& each : materials->list()) at(each, [&] { add_material(each, names, world); });
   if (const auto lists = file.find("no_contact")) exclude_contacts(*lists, names, world);
   refuse_points_that_could_meet(file, world);
 }

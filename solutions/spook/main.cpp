@@ -22,7 +22,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--time", run.time, "Simulated time [s]");
   command->add_option("--solver", run.solver, "A solver of ./course scenes");
   command->add_option("--iterations", run.iterations, "Maximum solver iterations per step");
-  command->add_option("--tolerance", run.tolerance, "Residual at which sweeps stop [m/s]");
+  command->add_option("--tolerance", run.tolerance, "Residual at which sweeps stop [m/s] (default: 0)");
   command->add_option("--substeps", run.substeps, "Number of substeps in a step");
   command->add_option("--row-order", run.row_order, "Order of rows: given, up, down, random, interleaved");
   command->add_option("--seed", run.seed, "Seed of a random order");
@@ -103,6 +103,15 @@ static int complain(int status, const std::string& what) {
   return status;
 }
 
+/// Returns CLI11's message about the number of an option's values in words.
+static std::string told(const CLI::ArgumentMismatch& error) {
+  const std::string what = error.what(), option = what.substr(0, what.find(": "));
+  if (what.find(": At Most 1") != std::string::npos) return option + " is given twice: leave one out";
+  if (what.find(" missing") != std::string::npos || what.find(": At least") != std::string::npos)
+    return option + " needs a value";
+  return what;
+}
+
 int main(int argc, char** argv) {
   CLI::App app("A rigid-body engine by the SPOOK method: scenes with known answers.", "spook");
   app.set_help_flag("--help", "Print this help and exit");  // not -h, which CLI11 takes for --h, too
@@ -131,6 +140,8 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
+  } catch (const CLI::ArgumentMismatch& error) {
+    return complain(2, told(error));
   } catch (const CLI::ParseError& error) {
     return complain(2, error.what());
   } catch (const std::invalid_argument& error) {

@@ -1,4 +1,5 @@
 // Scenes from files: builds a new world for each run, and compares it with the answer in the file.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -6,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/support/did_you_mean.hpp"
+#include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "spook/file_parameters.hpp"
 #include "spook/file_world.hpp"
@@ -24,6 +26,14 @@ struct Expected {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< in tolerances; NaN before its time
 };
 
+/// Throws std::invalid_argument for a time that lies before the start or between two steps.
+void require_at_a_step(const Place& time, double h) {
+  const double steps = time.number() / h;
+  if (!(h > 0)) return;  // the run refuses such a step
+  if (steps >= 0 && std::abs(steps - std::round(steps)) <= 1e-6 * std::max(1.0, steps)) return;
+  time.reject("a whole number of steps of " + short_text(h) + " s");
+}
+
 template <int Dof>
 class FileScene : public WorldScene<Dof> {
  public:
@@ -39,6 +49,7 @@ class FileScene : public WorldScene<Dof> {
         expected_.push_back(
             {names.index(each["body"]), each["time"].number(), each["x"].vector(), each["tolerance"].number()});
         if (!(expected_.back().tolerance > 0)) each["tolerance"].reject("positive");
+        require_at_a_step(each["time"], this->h_);
       }
   }
 
@@ -105,7 +116,7 @@ Json parsed(const std::string& file) {
 SceneDescription described(const std::string& name, const Json& written) {
   Place(written, "")
       .require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
-                     "parameters", "settings", "bodies", "joints", "no_contact", "expected"});
+                     "parameters", "settings", "bodies", "joints", "materials", "no_contact", "expected"});
   const std::vector<Parameter> parameters = parameters_in(written);
   const Json json = with_values(written, parameters);
   const Place file(json, "");

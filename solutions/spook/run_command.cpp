@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -61,17 +62,76 @@ class Checkpoints {
   Clock::time_point next_ = Clock::now() + std::chrono::minutes(1);
 };
 
-/// A file to write to. Creates the file after all other checks, so that a refused call does not overwrite an older
-/// file.
-static void open(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
-  if (!name) return;
-  file.open(*name);
-  if (!file) throw std::invalid_argument(option + " \"" + *name + "\" cannot be written");
-}
+/// Output files of a run. A refused call creates no file and empties none.
+class Outputs {
+ public:
+  Outputs() = default;
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+  ~Outputs() {
+    if (!emptied_)
+      for (const std::string& file : created_) std::filesystem::remove(file);
+  }
+
+  /// Opens a file without changing it. Throws std::invalid_argument, naming the option, if it cannot be written.
+  void open(std::ofstream& stream, const std::string& option, const std::optional<std::string>& name) {
+    if (!name) return;
+    const bool is_new = !std::filesystem::exists(*name);
+    stream.open(*name, std::ios::app);
+    if (!stream) throw std::invalid_argument(option + " \"" + *name + "\" cannot be written");
+    if (is_new) created_.push_back(*name);
+    files_.push_back(*name);
+  }
+
+  /// Empties all files, once every one of them could be opened.
+  void empty() {
+    for (const std::string& file : files_)
+      if (std::filesystem::is_regular_file(file)) std::filesystem::resize_file(file, 0);
+    emptied_ = true;
+  }
+
+ private:
+  std::vector<std::string> files_, created_;
+  bool emptied_ = false;
+};
 
 static void close(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
   if (name && !file.flush())
     throw std::invalid_argument(option + " \"" + *name + "\" cannot be written to its end");
+}
+
+/// Tells whether two names are those of one file. Devices and pipes, such as /dev/null, may be named twice.
+static bool are_one_file(const std::string& one, const std::string& other) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  if (fs::exists(one, failed) && fs::exists(other, failed))
+    return fs::is_regular_file(one, failed) && fs::equivalent(one, other, failed);
+  return fs::weakly_canonical(one, failed) == fs::weakly_canonical(other, failed);
+}
+
+/// Throws std::invalid_argument, naming both options, for an output that another output or an input has.
+static void require_own_files(const RunCommand& run) {
+  struct Named {
+    std::string option;
+    std::string file;
+    bool is_output = true;
+  };
+  std::vector<Named> files;
+  if (is_scene_file(run.scene)) files.push_back({"the scene", run.scene, false});
+  if (run.restart) files.push_back({"--restart", *run.restart, false});
+  if (run.csv) files.push_back({"--csv", *run.csv});
+  if (run.record) files.push_back({"--record", *run.record});
+  if (run.checkpoint) files.push_back({"--checkpoint", *run.checkpoint});
+  for (std::size_t k = 0; k < files.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before) {
+      const Named &one = files[before], &other = files[k];
+      // A run may continue from its checkpoint and replace it.
+      if (!other.is_output || (one.option == "--restart" && other.option == "--checkpoint")) continue;
+      if (are_one_file(one.file, other.file))
+        throw std::invalid_argument(other.option + " must be another file than " +
+                                    (one.is_output || one.option == "--restart" ? "that of " : "") +
+                                    one.option + ", but is \"" + other.file + "\"");
+    }
 }
 
 /// Warns before a large recording.
@@ -106,6 +166,7 @@ void RunCommand::execute(std::ostream& out) const {
   if ((checkpoint || restart) && settings.method.engine == Engine::plain)
     throw std::invalid_argument(std::string(checkpoint ? "--checkpoint" : "--restart") +
                                 " is for the fast engine: leave out --engine");
+  require_own_files(*this);
   const double per_second = fps ? parse_number("fps", *fps) : 60;
   steps_of_frame(settings.method.h, per_second);
 
@@ -114,12 +175,17 @@ void RunCommand::execute(std::ostream& out) const {
   require_start(settings, start);
   if (checkpoint) require_writable_checkpoint(*checkpoint);
   std::ofstream table, recording;
+  Outputs outputs;
   if (csv || record) {  // what is refused leaves older files as they are
     const std::unique_ptr<Scene> built = description.build(parameters, settings.method);
     if (settings.method.engine == Engine::plain) plain_step_of(*built, settings.method);
   }
-  open(table, "csv", csv);
-  open(recording, "record", record);
+  outputs.open(table, "csv", csv);
+  outputs.open(recording, "record", record);
+  if (start.substep > 0 && csv && std::filesystem::is_regular_file(*csv) &&
+      std::filesystem::file_size(*csv) > 0)
+    std::cerr << "spook: --csv \"" << *csv << "\" is replaced, by the steps after the restart alone\n";
+  outputs.empty();
   Recorder recorder(recording, description, parameters, settings, per_second);
   Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .residual = description.solves};
   Progress progress;

@@ -16,11 +16,13 @@ static Json number(double value) {
 }
 
 template <int Dof>
-static Json to_json(const Settings<Dof>& settings) {
+static Json to_json(const Settings<Dof>& settings, const std::string& solver) {
   Json json = {{"gravity", numbers(settings.gravity)},
                {"friction", settings.friction},
-               {"friction_model", name_of(settings.solver.friction)},
                {"viscosity", number(settings.viscosity)}};
+  // A file without a model takes the default of its solver, or of another solver that a run names.
+  if (settings.solver.friction != friction_model({.h = 1, .solver = solver}))
+    json["friction_model"] = name_of(settings.solver.friction);
   if (settings.k) json["k"] = *settings.k;
   if (settings.d) json["d"] = *settings.d;
   if (settings.max_parts != Settings<Dof>{}.max_parts) json["max_parts"] = settings.max_parts;
@@ -142,16 +144,38 @@ static Json to_json(const std::vector<Joint>& joints) {
   return list;
 }
 
+static Json to_json(const Material& material) {
+  Json json = Json::object();
+  if (material.friction) json["friction"] = *material.friction;
+  if (material.restitution) json["restitution"] = *material.restitution;
+  if (material.k) json["k"] = *material.k;
+  if (material.d) json["d"] = *material.d;
+  return json;
+}
+
+/// Adds the materials of bodies and of pairs.
+static void put_materials(Json& json, const Materials& materials) {
+  for (std::size_t i = 0; i < materials.of_bodies().size(); ++i)
+    if (materials.of_bodies()[i] != Material{})
+      json["bodies"][i]["material"] = to_json(materials.of_bodies()[i]);
+  for (const auto& [pair, material] : materials.of_pairs()) {
+    Json each = {{"i", pair.first}, {"j", pair.second}};
+    each.update(to_json(material));
+    json["materials"].push_back(each);
+  }
+}
+
 template <int Dof>
 static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
   if (world.settings().force || world.settings().wrench)
     throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
-  json["settings"] = to_json(world.settings());
+  json["settings"] = to_json(world.settings(), json["solver"]);
   json["bodies"] = to_json(world.bodies(), world.shapes());
   for (const Kinematic<Dof>& kinematic : world.kinematic_bodies()) {
     const std::size_t i = world.index(kinematic.body);
     put_velocity(json["bodies"][i], kinematic, world.bodies().motion.W[i]);
   }
+  put_materials(json, world.materials());
   for (const std::vector<int>& list : world.shapes().exclusions.lists()) json["no_contact"].push_back(list);
   if (!world.joints().empty()) json["joints"] = to_json(world.joints());
 }

@@ -33,10 +33,10 @@ TEST(Boxes, AreRefusedWithAnotherShapeOrNoSize) {
   World<6> world({});
   Body<6> body = box(Vec3::Zero(), Vec3(1, 1, 1));
   body.radius = 1;
-  expect_refusal({"radius", "half sides"}, [&] { world.add(body); });
+  expect_refusal({"radius", "half_sides"}, [&] { world.add(body); });
   body.radius = 0;
   body.corners = {Vec3(1, 0, 0)};
-  expect_refusal({"corners", "half sides"}, [&] { world.add(body); });
+  expect_refusal({"corners", "half_sides"}, [&] { world.add(body); });
   body.corners = {};
   body.half_sides = Vec3(1, -1, 1);
   expect_refusal({"half side", "-1"}, [&] { world.add(body); });

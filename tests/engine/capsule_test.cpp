@@ -232,9 +232,9 @@ TEST(Capsule, KeepsMomentaWhenTwoCollide) {
 
 TEST(Capsule, RefusesInvalidShapes) {
   World<6> world({});
-  expect_refusal({"half length", "-1"}, [&] { world.add({.radius = 0.1, .half_length = -1}); });
+  expect_refusal({"half_length", "-1"}, [&] { world.add({.radius = 0.1, .half_length = -1}); });
   expect_refusal({"radius", "0"}, [&] { world.add({.principal = Vec3::Ones(), .half_length = 1}); });
-  expect_refusal({"radius", "half sides"},
+  expect_refusal({"radius", "half_sides"},
                  [&] { world.add({.radius = 0.1, .half_length = 1, .half_sides = Vec3::Ones()}); });
   expect_refusal({"radius", "-1"}, [&] { world.add_fixed(Vec3::Zero(), Capsule{-1, 1}, Quat::Identity()); });
   expect_refusal({"shape", "points"},

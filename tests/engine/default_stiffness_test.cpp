@@ -5,6 +5,7 @@
 
 #include "engine/diagnostics/run_check.hpp"
 #include "engine/world/world.hpp"
+#include "refusals.hpp"
 
 namespace spook::default_stiffness_test {
 namespace {
@@ -76,6 +77,18 @@ TEST(DefaultStiffness, IsTheSameInAnyUnits) {
   };
   EXPECT_NEAR(k_of(1000, 1) / k_of(1, 1), 1, 1e-12) << "N/m has no metre: kg/s²";
   EXPECT_NEAR(k_of(1, 1e-3) / k_of(1, 1), 1e-3, 1e-15);
+}
+
+TEST(DefaultStiffness, RefusesForcesThatGiveNone) {
+  double force = 1e308;
+  World<6> world({.force = [&](std::size_t, const std::vector<Vec3>&) { return Vec3(force, 0, 0); }});
+  world.add_plane(Vec3::UnitZ(), 0);
+  world.add({.x = Vec3(0, 0, 0.1), .mass = 1, .radius = 0.1});
+  expect_refusal({"sum of all forces", "k given"}, [&] { world.step(1.0 / 60); });
+  force = 0;
+  world.step(1.0 / 60);
+  EXPECT_EQ(world.steps(), 1);
+  EXPECT_LT(world.contact_stiffness(), 1e7) << "the refused force leaves no trace";
 }
 
 TEST(DefaultStiffness, GivesWayToAnyThatIsSaid) {

@@ -217,6 +217,7 @@ TEST(Kinematic, RefusesKeyframesAndFunctionsThatMakeNoSense) {
   world.set_velocity_function(wall, [](double t) { return Twist<6>(Twist<6>::Constant(t > 0.1 ? NAN : 0)); });
   world.step(1.0 / 60);
   expect_refusal({"velocity of body 1", "nan"}, [&] { world.step(1); });
+  EXPECT_EQ(world.steps(), 1) << "a step that was refused does not count";
 }
 
 TEST(Kinematic, RefusesWhatIsNotStatic) {
@@ -229,6 +230,9 @@ TEST(Kinematic, RefusesWhatIsNotStatic) {
   expect_refusal({"v"}, [&] { world.set_velocity(wall, Vec3(NAN, 0, 0)); });
   expect_refusal({"omega"}, [&] { world.set_velocity(wall, Vec3::Zero(), Vec3(INFINITY, 0, 0)); });
   expect_refusal({"v"}, [&] { world.set_surface_velocity(wall, Vec3(NAN, 0, 0)); });
+  expect_refusal({"along the plane's normal", "0.5"},
+                 [&] { world.set_surface_velocity(plane, Vec3(1, 0, 0.5)); });
+  world.set_surface_velocity(plane, Vec3(1, 2, 0));
   expect_refusal({"body", "7"}, [&] { world.set_velocity(7, Vec3::Zero()); });
 }
 

@@ -437,6 +437,7 @@ TEST(Input, GuidedJoints) {
   refuse({"angle", "nan"}, [](Joint& joint) { joint.angle = nan; });
   refuse({"upper", "1", "lower"}, [](Joint& joint) { joint.limits = JointLimits{1, 1}; });
   refuse({"upper", "nan"}, [](Joint& joint) { joint.limits = JointLimits{0, nan}; });
+  refuse({"lower", "nan"}, [](Joint& joint) { joint.limits = JointLimits{nan, 1}; });
   refuse({"limit_d", "-1"}, [](Joint& joint) { joint.limits = JointLimits{0, 1}, joint.limit_d = -1; });
   refuse({"speed", "inf"}, [](Joint& joint) { joint.motor = Motor{.speed = infinity}; });
   refuse({"strength", "-1"}, [](Joint& joint) { joint.motor = Motor{.strength = -1}; });

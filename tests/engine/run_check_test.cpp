@@ -209,6 +209,29 @@ TEST(RunCheck, APushIsNotFromNothing) {
   EXPECT_EQ(soundness.verdict().state, State::sound);
 }
 
+TEST(RunCheck, NotesAPassageInAStepThatItWasToldOf) {
+  for (const bool is_told : {true, false}) {
+    World<6> world({.gravity = Vec3::Zero()});
+    world.add_fixed_box(Vec3(1, 0, 0), Vec3(0.05, 1, 1));
+    const int ball = world.add({.v = Vec3(100, 0, 0), .radius = 0.1});
+    RunCheck<6> soundness;
+    const auto step = [&] {
+      if (is_told) soundness.begin_step(world);
+      world.step(h);
+      soundness.look(world, h);
+    };
+    step();  // the first
+    EXPECT_EQ(soundness.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
+    soundness.begin_again();
+    world.place(ball, Vec3::Zero(), Vec3::Zero());
+    step();
+    world.place(ball, Vec3::Zero(), Vec3(100, 0, 0));
+    soundness.bodies_were_moved();
+    step();
+    EXPECT_EQ(soundness.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
+  }
+}
+
 TEST(RunCheck, FindsEveryDefaultSceneSound) {
   for (const SceneDescription& scene : scenes()) {
     const Verdict verdict =

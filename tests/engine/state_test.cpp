@@ -134,6 +134,17 @@ TEST(State, IsRefusedInAnotherWorld) {
   World<6> rigid({});
   for (int n = 0; n < 2; ++n) rigid.add({.radius = 1});
   expect_refusal({"degrees of freedom", "must be 3", "is 6"}, [&] { read_state(state, rigid); });
+  const auto ball = [](const Settings<6>& settings, double mass, double radius) {
+    World<6> world(settings);
+    world.add({.mass = mass, .radius = radius});
+    return world;
+  };
+  World<6> written = ball({}, 1, 1), same = written;
+  const std::string of_ball = bytes_of_state(written);
+  read_state(of_ball, same);
+  for (World<6> other : {ball({}, 2, 1), ball({}, 1, 2), ball({.friction = 0.5}, 1, 1), ball({.k = 1e6}, 1, 1)})
+    expect_refusal({"hash of masses, shapes, joints and settings", "must be"},
+                   [&] { read_state(of_ball, other); });
   World<3> stepped({.stepper = [](const World<3>&, double, Bodies<3>&) { return SolveReport{}; }});
   expect_refusal({"stepper"}, [&] { bytes_of_state(stepped); });
 }

@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import hashlib
 import io
 import json
 import math
@@ -17,6 +18,7 @@ from unittest import mock
 
 from sandbox import ROOT, Sandbox, all_exercises
 
+import arguments
 import grid
 import plot
 import runs
@@ -62,6 +64,13 @@ class Orders(unittest.TestCase):
         rows = [{"bodies": str(n), "error": n} for n in (1, 2)]  # an error goes with a power of h, d and k alone
         self.assertEqual(grid.orders(rows, ["bodies"]), nothing)
 
+    def test_a_lost_run_has_none(self):
+        for states in (("lost", "sound"), ("sound", "lost"), ("sound", "blew up")):
+            rows = [{"h": h, "error": error, "state": state} for h, error, state in zip(("2", "1"), (4, 1), states)]
+            self.assertEqual(grid.orders(rows, ["h"]), [(None, None)] * 2, states)
+        rows = [{"h": h, "error": error, "state": "unsolved"} for h, error in (("2", 4), ("1", 1))]
+        self.assertEqual(grid.orders(rows, ["h"])[1], (4, 2))
+
     def test_of_a_product_compare_what_differs_in_one_value(self):
         axes = {"h": ["0.1", "0.05"], "scale": ["1", "7"], "d": ["2", "3"]}
         rows = [point | {"error": float(point["scale"]) * float(point["d"]) * float(point["h"]) ** 2}
@@ -82,6 +91,11 @@ class Orders(unittest.TestCase):
         self.assertIn("h = 0.01: blown up: body 3", table)
         starts = Sweep({"start": ("a", "b")}, [result({"start": "a"}, 8), result({"start": "b"}, 2)], [])
         self.assertNotIn("order", as_text(starts))
+
+    def test_a_run_that_blew_up_keeps_its_step(self):
+        for point, others, h in (({"h": "1/2"}, [], 0.5), ({"d": "1"}, [result({"d": "2"}, 1.0)], 0.5), ({"d": "1"}, [], None)):
+            row = Sweep({name: (value,) for name, value in point.items()}, [Result(point, None, "blew up"), *others], []).table()[0]
+            self.assertEqual((row["h"], row["why"]), (h, "blew up"))
 
     def test_a_sound_run_without_an_answer_is_not_lost(self):
         table = as_text(Sweep({"d": ("2",)}, [result({"d": "2"}, None)], []))
@@ -131,6 +145,49 @@ class Grid(unittest.TestCase):
         self.assertAlmostEqual(x.half_width, grid.student_t(1) * math.sqrt(2) / math.sqrt(2), 8)
         self.assertEqual((y.runs, y.mean, y.half_width), (0, None, None))
 
+    def test_means_leave_out_lost_runs_and_count_unsolved_ones(self):
+        states = {"1": "sound", "2": "lost", "3": "unsolved", "4": "blew up"}
+        rows = [{"seed": seed, "error": float(seed), "state": state} for seed, state in states.items()]
+        (mean,) = grid.means(rows, ["seed"])
+        self.assertEqual((mean.runs, mean.unsolved, mean.lost, mean.mean), (2, 1, 2, 2.0))
+        state = {"2": {"state": {"name": "lost", "reason": "r"}}}
+        swept = Sweep({"seed": tuple("123")}, [result({"seed": k}, float(k), **state.get(k, {})) for k in "123"], [])
+        said = as_text(swept)
+        self.assertIn("lost runs are left out", said)
+        self.assertIn(["2", "2", "13", "1"], [line.split() for line in said.splitlines()])  # runs, mean, ±, lost
+        self.assertEqual(json.loads(as_json(swept))["means"][0]["lost"], 1)
+
+
+    def test_means_have_orders_too(self):
+        rows = [{"h": h, "seed": k, "error": value * float(h)} for h in ("0.2", "0.1") for k, value in enumerate((1, 3))]
+        found = grid.means(rows, ["h", "seed"])
+        first, second = grid.mean_orders(found)
+        self.assertIsNone(first)
+        self.assertAlmostEqual(second, 1, 12)
+        self.assertEqual(grid.mean_orders([]), [])
+
+    def test_an_order_is_fitted_to_all_runs_and_its_interval_holds_as_often_as_it_says(self):
+        steps = ("1/10", "1/20", "1/40", "1/80")
+        exact = [{"h": h, "a": a, "error": 3 * grid.number(h) ** 2, "state": "sound"} for a in "xy" for h in steps]
+        exact.append({"h": "1", "a": "x", "error": 1e99, "state": "lost"})
+        self.assertEqual([(fit.point, fit.runs) for fit in grid.fits(exact, ["h", "a"])], [({"a": "x"}, 4), ({"a": "y"}, 4)])
+        for fit in grid.fits(exact, ["h", "a"]):
+            self.assertAlmostEqual(fit.order, 2, 12)
+            self.assertLess(fit.half_width, 1e-12)
+        self.assertEqual(grid.fits(exact[:2], ["h", "a"]), [])  # two values give no uncertainty
+        self.assertEqual(grid.fits([{"bodies": "2", "error": 1}] * 3, ["bodies"]), [])
+        draws, trials, held = random.Random(2), 1000, 0
+        for _ in range(trials):
+            rows = [{"h": h, "seed": k, "error": grid.number(h) * math.exp(draws.gauss(0, 0.5))} for h in steps for k in range(2)]
+            (fit,) = grid.fits(rows, ["h", "seed"])
+            held += abs(fit.order - 1) <= fit.half_width
+        # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
+        self.assertAlmostEqual(held, 950, delta=4 * math.sqrt(trials * 0.95 * 0.05), msg="seed 2")
+        said = as_text(of_h("1/10", "1/20", "1/40", error=lambda h: 3 * h ** 2))
+        self.assertIn("order by a line through all runs", said)
+        self.assertEqual(json.loads(as_json(of_h("0.4", "0.2", "0.1")))["fits"][0]["runs"], 3)
+        self.assertNotIn("-0.00", as_text(of_h("0.2", "0.1", error=lambda h: 1 + 1e-5 / h)))
+
 
 class Words(unittest.TestCase):
     def test_lists_of_several_options(self):
@@ -143,6 +200,12 @@ class Words(unittest.TestCase):
         words = ["pile", "--set", "seed=7", "mu=1"]
         self.assertEqual(with_changed(words, "seed", "3", {"seed", "mu"}), ["pile", "--set", "mu=1", "--set", "seed=3"])
         self.assertEqual(with_changed(["orbit"], "seed", "3", {"m"}), ["orbit", "--seed", "3"])
+
+    def test_a_misspelled_option_is_told_with_the_nearest_name(self):
+        for name, words in (("iteratons", "did you mean iterations?"), ("solvr", "did you mean solver?"),
+                            ("rato", "did you mean ratio?"), ("zzz", "there are: ratio, contact-margin")):
+            with self.assertRaisesRegex(BadInput, f"'{name}' is neither a parameter of stack nor an option of run; {re.escape(words)}"):
+                with_changed(["stack"], name, "3", {"ratio"})
 
 
 class OnSlurm(unittest.TestCase):
@@ -192,6 +255,26 @@ class Refused(unittest.TestCase):
             with plot._results_set_aside(folder):
                 (folder / "claims.json").write_text("new")
             self.assertEqual([path.name for path in folder.iterdir()], ["claims.json"])
+
+
+    def test_what_an_experiment_refuses_is_printed_once(self):
+        def refusing(command, on_line):
+            for line in ("[1/2] a\n", "told\n", "shard must be i/n\n"):
+                on_line(line)
+            return 2, "told\nshard must be i/n\n"
+
+        asked = mock.Mock(merge=None, more=[], quick=False, shard=None)
+        with tempfile.TemporaryDirectory() as name, mock.patch.object(plot, "stream", refusing), \
+                mock.patch.object(plot, "Live"), contextlib.redirect_stdout(io.StringIO()) as out:
+            with self.assertRaisesRegex(BadInput, "^plot: shard must be i/n$"):
+                plot._compute(mock.Mock(), asked, Path("program"), Path(name), False)
+        self.assertEqual(out.getvalue().split(), ["told"])
+
+    def test_an_option_of_an_experiment_is_told_its_place(self):
+        with self.assertRaisesRegex(BadInput, "unknown option '--scene'; options of an experiment go after --"):
+            arguments.parse(["plot", "work_precision", "--scene", "wire"])
+        with self.assertRaisesRegex(BadInput, "unknown option '--quik'; did you mean --quick"):
+            arguments.parse(["plot", "work_precision", "--quik"])
 
 
 class Columns(unittest.TestCase):
@@ -310,6 +393,19 @@ class Runs(unittest.TestCase):
         shards = [json.loads(self.run_scene(*call, "--shard", f"{k}/2"))["runs"] for k in (1, 2)]
         self.assertEqual([run["point"] for run in told["runs"]],
                          [run["point"] for pair in zip(*shards) for run in pair])
+        parts = [word for word in call if word not in ("--csv", "sweep.csv", "--json")]
+        for k in (1, 2):
+            self.assertIn(f"mean over seeds of shard {k}/2", self.run_scene(*parts, "--shard", f"{k}/2", "--csv", f"{k}.csv"))
+        sweep = ["pile", "--set", "bodies=5,10", "--sweep", "seed=1,2,3"]
+        merged = json.loads(self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--json"))
+        self.assertEqual(merged["means"], told["means"])
+        self.assertEqual([run["error"]["value"] for run in merged["runs"]], [run["error"]["value"] for run in told["runs"]])
+        self.assertIn("3 combinations skipped: it is in none of the merged tables", self.run_scene(*sweep, "--merge", "1.csv"))
+        self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--csv", "all.csv")
+        joined = list(csv.DictReader(io.StringIO((self.box.root / "all.csv").read_text())))
+        self.assertEqual(list(joined[0]), list(rows[0]))
+        for name in ("bodies", "seed", "h", "error", "steps", "row_updates"):
+            self.assertEqual([float(row[name]) for row in joined], [float(row[name]) for row in rows], name)
 
     def test_combinations_that_are_refused_are_counted(self):
         said = self.run_scene("stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random")
@@ -321,6 +417,14 @@ class Runs(unittest.TestCase):
         said = self.run_scene("tower.json", "--time", "0.1", "--sweep", "solver=gauss_seidel,auto", "h=1/60,1/120")
         self.assertEqual(len(re.findall(r"^(?:gauss_seidel|auto) ", said, re.MULTILINE)), 4)
         self.assertNotIn("lost", said)  # it has no answer
+        self.run_scene("tower.json", "--time", "0.1", "--sweep", "h=1/60,1/120", "--csv", "tower.csv")
+        hashes = json.loads((self.box.root / "tower.csv.manifest.json").read_text())["sha256"]
+        self.assertEqual(hashes["tower.json"], hashlib.sha256((self.box.root / "tower.json").read_bytes()).hexdigest())
+        self.assertEqual({Path(name).name for name in hashes}, {"spook", "tower.json"})
+        before = (self.box.root / "tower.json").read_text()
+        self.box.assert_refused(self, ["run", "tower.json", "--sweep", "h=0.1,0.2", "--csv", "./tower.json"],
+                                ["--csv must be another file than the scene"])
+        self.assertEqual((self.box.root / "tower.json").read_text(), before)
 
     def test_a_file_has_parameters_that_sweep(self):
         scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {
@@ -396,6 +500,11 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
                             (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),
                             (["orbit", "--shard", "1/2"], ["--shard needs --sweep"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "a", "--csv=b"], ["--csv is given twice"]),
+                            (["orbit", "--merge", "a.csv"], ["--merge needs --sweep"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "no.csv"], ['--merge "no.csv" cannot be read']),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "README.md"], ["is no table of this sweep", "column h"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "a", "--shard", "1/2"], ["leave out --shard"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)
 

@@ -155,9 +155,9 @@ class Import(unittest.TestCase):
             "<geom type='plane' size='1 1 1'/><geom name='ground' type='hfield' hfield='x'/>"
             "<body><joint frictionloss='2'/><joint type='ball' range='0 1' damping='1' stiffness='1'/>"
             "<geom size='.1'/></body>",
-            rest="<tendon><fixed/></tendon><sensor><gyro/></sensor><include file='there_is_none.xml'/>"
+            rest="<tendon><fixed/></tendon><sensor><gyro/></sensor>"
                  "<equality><tendon name='t'/></equality>"))
-        for words in ("include of there_is_none.xml", "edges of planes", "geom \"ground\" of type hfield",
+        for words in ("edges of planes", "geom \"ground\" of type hfield",
                       "stiffness of ball joints", "frictionloss of joints", "limits of ball joints",
                       "damping of ball joints", "equality tendon \"t\"", "tendon: 1", "of several joints at a body"):
             self.assertIn(words, said)
@@ -292,13 +292,24 @@ class Import(unittest.TestCase):
         self.refused("<composite><joint kind='main'/></composite>", "nothing is left to simulate")
 
     def test_bad_models_are_refused_in_one_line(self):
-        self.refused("<body name='b'><joint/></body>", "body \"b\" moves, but has no mass")
+        self.refused("<body name='b'><joint/></body>", "body \"b\" (line 2, body \"b\") moves, but has no mass")
         self.refused("<body><joint type='screw'/><geom size='1'/></body>", "hinge, slide, ball or free joint")
-        self.refused("<body><joint axis='0 0 0'/><geom size='1'/></body>", "a direction has the length 0")
-        self.refused("<body><freejoint/><geom size='1' class='c'/></body>", "class \"c\" has no default")
+        self.refused("<body><joint axis='0 0 0'/><geom size='1'/></body>", "axis of a joint (line 2) must have a length above 0, but has 0")
+        self.refused("<body><freejoint/><geom size='1' class='c'/></body>", "class \"c\" of a geom (line 2) has no default")
         self.refused("<body name='p' pos='0 0'/>", "pos of body \"p\" (line 2, body \"p\") must be 3 numbers, but is \"0 0\"")
         self.refused("<body pos='0 0 x'/>", "pos of a body (line 2) must be 3 numbers")
-        self.refused("<geom type='capsule' size='1'/>", "must have 2 positive sizes")
+        self.refused("<geom type='capsule' size='1'/>", "a geom (line 2) of type capsule must have 2 positive sizes, but has \"1\"")
+        self.refused("<body><freejoint/><geom size='-1'/></body>", "must have 1 positive size, but has \"-1\"")
+        self.refused("<body><freejoint/><geom type='spere' size='1'/></body>", "type of a geom (line 2) must be sphere, box,")
+        self.refused("<body name='b'><freejoint/><inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/></body>",
+                     "mass of a inertial (line 2, body \"b\") must be at least 0, but is \"-1\"")
+        self.refused("<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 5'/></body>",
+                     "inertia of body \"b\" (line 2, body \"b\") must have positive principal moments")
+        self.refused("<body><joint range='1 -1'/><geom size='1'/></body>",
+                     "range of a joint (line 2) must have the lower bound first, but is \"1 -1\"")
+        self.refused("<body><freejoint/><geom type='mesh'/></body>", "moves, but has no mass: give it an inertial, or a geom that is no mesh")
+        self.refused("<body><freejoint/><geom size='1'/></body>", "names no file that there is: \"there_is_none.xml\"",
+                     rest="<include file='there_is_none.xml'/>")
         body = "<body><freejoint/><geom size='1'/></body>"
         self.refused(body, "timestep of the option (line 1) must be a finite number, but is \"abc\"", option="timestep='abc'")
         self.refused(body, "gravity of the option (line 1) must be 3 numbers", option="gravity='0 9'")
@@ -310,12 +321,32 @@ class Import(unittest.TestCase):
         self.refused("<body><freejoint/><geom size='1e308'/></body>", "must be at most 1e+30, but is")
         self.refused("<body><freejoint/><geom size='1' density='1e308'/></body>", "density")
         self.refused("<body><freejoint/><geom size='1'/></body>", "body that there is not", rest="<equality><connect body1='b' anchor='0 0 0'/></equality>")
-        for text, words in (("<robot/>", "MJCF begins with <mujoco>"), ("<mujoco>", "no element found")):
+        for text, words in (("<robot/>", "MJCF begins with <mujoco>, but this with <robot>: URDF is not read"), ("<mujoco>", "no element found")):
             (self.folder / "other.xml").write_text(text)
             done = self.course("import", self.folder / "other.xml")
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
             self.assertIn(words, done.stderr)
         self.assertEqual(self.course("import", self.folder / "none.xml").returncode, 2)
+
+    def test_an_output_that_cannot_be_written_is_refused_first(self):
+        model = self.written("<body><freejoint/><geom size='1'/></body>")
+        text = model.read_text()
+        for out, words in ((self.folder / "no" / "x.json", "cannot be written"), (model, "another file than the model")):
+            done = self.course("import", model, "--out", out)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(model.read_text(), text)
+
+    def test_frictions_that_the_scene_lacks_are_named(self):
+        floor = "<geom type='plane' size='0 0 1' friction='.9'/>"
+        body = "<body><freejoint/><geom size='.1' friction='{0}' {1}/></body>"
+        scene, said = self.imported(self.written(floor + body.format(0.1, "") + body.format(0.5, "condim='6'")))
+        self.assertEqual(scene["settings"]["friction"], 0.9)
+        self.assertIn("all frictions but the largest, 0.9", said)  # two balls rub with 0.5
+        self.assertIn("torsional and rolling friction, condim 4 and 6 (line 2)", said)
+        _, said = self.imported(self.written(floor + body.format(0.1, "")))
+        self.assertNotIn("friction", said)
+        self.assertIn("1 body that moves, 0 joints", said)
 
     # How it moves
 

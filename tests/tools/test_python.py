@@ -120,8 +120,42 @@ class Worlds(WithModule):
         with self.assertRaisesRegex(TypeError, "v must return three numbers, but returned 'up'"):
             points.step(0.5)
         points.set_velocity_function(nail, lambda t: 1 / 0)
+        steps = points.steps
         with self.assertRaises(ZeroDivisionError):
             points.step(0.5)
+        self.assertEqual(points.steps, steps)  # that step never was
+        points.set_velocity_function(nail, lambda t: (points.x[nail, 0], 0, 0))
+        with self.assertRaisesRegex(RuntimeError, "^a velocity function cannot use its world, which is taking a step$"):
+            points.step(0.5)
+        world = spook.World()
+        self.refused("part of v along the plane's normal must be 0, but is 1", world.set_surface_velocity, world.add_plane(),
+                     (1, 0, 1))
+
+    def test_velocities_lag_by_half_a_part_of_a_step(self):
+        h, omega = 1 / 60, 30
+        world = spook.World(gravity=(0, 0, 0))
+        nail, ball = world.add_fixed((0, 0, 0)), world.add(x=(1, 0, 0), v=(0, omega, 0), mass=1, radius=0.1)
+        world.add_joint(nail, ball, length=1)
+        self.assertEqual((world.parts, world.velocity_lag(h)), (1, h / 2))
+        world.step(h, steps=30)
+        self.assertGreater(world.parts, 1)
+        self.assertEqual(world.velocity_lag(h), h / world.parts / 2)
+        (x, y, _), (u, v, _) = world.x[ball], world.v[ball]
+        behind = math.atan2(y, x) - math.atan2(-u, v)  # a velocity is a right angle ahead of its position
+        self.assertAlmostEqual(math.remainder(behind, 2 * math.pi), omega * world.velocity_lag(h), delta=0.01)
+        self.assertEqual(spook.World(integrator_order=4).velocity_lag(h), 0)
+        for of in (world.velocity_lag, lambda h: world.synchronized_velocity(ball, h),
+                   lambda h: world.synchronized_angular_velocity(ball, h)):
+            self.refused("h must be positive and finite, but is -1", of, -1)
+
+    def test_a_force_without_a_finite_stiffness_is_told_and_does_no_harm(self):
+        world = box_on_plane()
+        world.set_force(1, (1e308, 0, 0))
+        with self.assertRaisesRegex(ValueError, "^sum of all forces must be so small that the default k of contacts is finite"):
+            world.step(1 / 60)
+        world.set_force(1, (0, 0, 0))
+        world.step(1 / 60)
+        self.assertEqual((world.steps, world.state), (1, "sound"))
 
     def test_bodies_of_a_list_do_not_touch(self):
         for excluded in (False, True):
@@ -135,7 +169,7 @@ class Worlds(WithModule):
             contacts = world.contacts()
             between = np.count_nonzero(contacts["i"] * contacts["j"])
             self.assertEqual((between, len(contacts["gap"])), (0, 3) if excluded else (3, 6))
-        self.refused("body must be there once, but is 1", world.exclude_contacts, [1, 1])
+        self.refused("body must be listed once, but is 1", world.exclude_contacts, [1, 1])
 
     def test_a_spring_holds_and_a_rope_catches(self):
         world = spook.World()
@@ -257,13 +291,41 @@ class Worlds(WithModule):
             with contextlib.suppress(spook.SimulationDiverged):
                 world.step(1 / 30)
             unchecked = chain(check=False)
+            self.assertEqual(unchecked.state, "unchecked")
             with contextlib.suppress(spook.SimulationDiverged):
                 unchecked.step(1 / 30, steps=30)
+            self.assertEqual((unchecked.state, unchecked.save().state), ("unchecked", "unchecked"))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             fresh = chain()
             with self.assertRaises((RuntimeWarning, spook.SimulationDiverged)):
                 fresh.step(1 / 30, steps=300)
+
+    def test_a_world_that_diverged_does_not_warn_later(self):
+        world = falling()
+        world.place(0, v=(1e308, 0, 0))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(spook.SimulationDiverged):
+                world.step(10, steps=2)
+            self.assertEqual(world.state, "lost")
+            world.place(0, x=(0, 0, 0), v=(0, 0, 0))
+            world.step(0.1)  # the exception was the warning
+
+    def test_a_passage_is_noted_in_the_first_step_and_in_one_after_a_body_was_placed(self):
+        world = spook.World(gravity=(0, 0, 0))
+        wall = world.add_fixed((1, 0, 0), half_sides=(0.05, 1, 1))
+        ball = world.add(x=(0, 0, 0), v=(100, 0, 0), radius=0.1)
+        saved = world.save()
+        world.step(1 / 60)
+        self.assertIn(f"body {ball} moves by 1.67 m in a step, against body {wall}", world.note)
+        world.restore(saved)
+        world.place(ball, v=(0, 0, 0))
+        world.step(1 / 60, steps=3)
+        self.assertEqual(world.note, "")
+        world.place(ball, v=(100, 0, 0))
+        world.step(1 / 60)
+        self.assertIn(f"body {ball} moves by 1.67 m in a step, against body {wall}", world.note)
 
     def test_what_moves_bodies_from_outside_is_not_taken_for_a_mistake(self):
         world = box_on_plane()
@@ -467,7 +529,7 @@ class Worlds(WithModule):
         self.refused("force must be finite, but is nan", world.set_force, 0, (0, 0, math.nan))
         self.refused("body must be an index below 1, but is 1", world.set_force, 1, (0, 0, 0))
         floor = world.add_plane()
-        self.refused(f"body must be a dynamic one, but is {floor}", world.set_force, floor, (0, 0, 1))
+        self.refused(f"body must be a dynamic body, but is {floor}", world.set_force, floor, (0, 0, 1))
         self.refused("x must be finite, but is inf", world.place, 0, x=(0, 0, math.inf))
 
 
@@ -593,6 +655,39 @@ class Arguments(WithModule):
         self.told("add_joint: i: a whole number, got 0.5", world.add_joint, 0.5, 1)
         self.told("PointWorld: solver: a text, got 3", spook.PointWorld, solver=3)
         self.told("place: body: a whole number, got None", world.place, None)
+
+    def test_what_only_looks_like_the_kind(self):
+        world = spook.World()
+        self.told("add: mass: a number, got '2'", world.add, mass="2")
+        self.told("add: numbers, got ('0', '0', '5')", world.add, x=("0", "0", "5"))
+        self.told("World: warm_start: True or False, got 'yes'", spook.World, warm_start="yes")
+        self.told("World: iterations: a whole number that is not so large, got 1000000000000", spook.World, iterations=10**12)
+        self.told("place: body: a whole number that is not so large, got 1099511627776", world.place, 2**40)
+        self.told("exclude_contacts: bodies: a list of whole numbers, got 1", world.exclude_contacts, 1)
+        self.told("add_slider: spring: a list of numbers, got 50", world.add_slider, 0, 1, spring=50)
+        self.told("set_velocity_function: v: a function, got 5", world.set_velocity_function, 2, 5)
+        self.told("set_state: state: bytes, got 'abc'", world.set_state, "abc")
+        self.told("restore: saved: a World, got None", world.restore, None)
+        self.told(f"restore: saved: a World, got {spook.PointWorld()!r}", world.restore, spook.PointWorld())
+        self.told("scene: name: a text, got 3", spook.scene, 3)
+
+    def test_of_a_step(self):
+        world = spook.World()
+        self.told("step: h is missing", world.step)
+        self.told("step: h: a number, got '1/60'", world.step, "1/60")
+        self.told("step: there is no dt; there are: h, steps", lambda: world.step(dt=0.1))
+        self.told("step: steps: a whole number, got 1.5", world.step, 0.1, 1.5)
+        self.told("step: steps: a whole number, got 'x'", lambda: world.step(0.1, steps="x"))
+        self.told("step: at most 2 arguments without a name, got 3", world.step, 0.1, 1, 2)
+        self.assertEqual(world.steps, 0)
+        self.assertRegex(spook.World.step.__doc__, r"^step\(h: float, steps: int = 1\) -> None\n\nAdvances")
+
+    def test_without_numpy_its_name_is_the_last_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "numpy.py").write_text("raise ModuleNotFoundError(\"No module named 'numpy'\")")
+            done = subprocess.run([sys.executable, "-c", "import spook"], capture_output=True, text=True,
+                                  env=os.environ | {"PYTHONPATH": f"{folder}:{SITE}"})
+        self.assertIn("No module named 'numpy'", done.stderr.splitlines()[-1])
 
     def test_names(self):
         self.told("add: there is no half_side; did you mean half_sides?", spook.World().add, half_side=(1, 2, 3))
@@ -749,6 +844,9 @@ class Sweeps(WithModule):
             self.assertTrue(math.isnan(rows.rows[0]["order"]))
             np.testing.assert_allclose(rows["order"][1:], order, atol=0.05)
             np.testing.assert_array_equal(rows["h"], [1 / 120, 1 / 240, 1 / 480])
+            (fit,) = table.fits().where(start=start)
+            self.assertAlmostEqual(fit["order"], order, delta=0.05)
+            self.assertEqual(fit["runs"], 3)
 
     def test_a_row_is_what_the_run_alone_says(self):
         stack = spook.scene("stack", bodies=5)
@@ -778,7 +876,7 @@ class Sweeps(WithModule):
             alone = spook.scene("pile", bodies=5, seed=row["seed"]).run(time=0.1)
             self.assertEqual((row["error"], row["row_updates"]), (alone.error, alone.row_updates))
         (mean,) = table.means().rows
-        self.assertEqual(mean["runs"], 3)
+        self.assertEqual((mean["runs"], mean["unsolved"], mean["lost"]), (3, 0, 0))
         self.assertAlmostEqual(mean["mean"], table["error"].mean(), delta=1e-12 * abs(table["error"]).max())
         with self.assertRaisesRegex(KeyError, "'h' is not swept"):
             table.means("h")
@@ -801,10 +899,30 @@ class Sweeps(WithModule):
         with mock.patch("spook._spook.run", side_effect=spook.SimulationDiverged("blew up in step 1")):
             table = spook.sweep(spook.scene("orbit"), h=[0.1, 0.2])
         self.assertEqual([row["state"] for row in table], ["blew up"] * 2)
+        self.assertEqual([row["h"] for row in table], [0.1, 0.2])  # what was swept stays
+        self.assertEqual((len(table.where(h="1/10")), table.rows[0]["why"]), (1, "blew up in step 1"))
         self.assertTrue(np.isnan(table["error"]).all() and np.isnan(table["order"]).all())
+
+    def test_a_scene_may_be_a_name_and_other_names_are_told_with_the_nearest(self):
+        with mock.patch("spook._spook.run") as run:
+            self.refused("iteratons is neither a parameter of stack nor an option of run; did you mean iterations?",
+                         spook.sweep, "stack", iteratons=[1, 2])
+            with self.assertRaisesRegex(TypeError, "^sweep: scene: a Scene or a name, got 3$"):
+                spook.sweep(3)
+        run.assert_not_called()
+        self.assertEqual(len(spook.sweep("orbit", h=[0.1], time=0.2)), 1)
+
+    def test_rows_have_the_reason_and_the_note(self):
+        run = spook.scene("tower", boxes=10, ratio=1000).run(iterations=2, time=0.5, solver="gauss_seidel")
+        self.assertEqual(run.state, "unsolved")
+        self.assertGreater(run.unsolved_steps, 0)
+        (row,) = spook.sweep("tower", boxes=10, ratio=1000, iterations=2, time=0.5, solver="gauss_seidel")
+        self.assertEqual((row["why"], row["note"], row["unsolved_steps"]), (run.reason, run.note, run.unsolved_steps))
+        self.assertEqual(len({run, run}), 1)  # a run has a hash
 
     def test_it_is_a_table_to_look_at(self):
         table = spook.sweep(spook.scene("orbit"), h=["1/60"], time=1)
+        self.assertNotIn("note", repr(table))
         self.assertIn("us_per_step", repr(table).splitlines()[0])
         self.assertIn("<th>error</th>", table._repr_html_())
 
@@ -877,7 +995,7 @@ class Installing(WithModule):
     def test_the_command_runs_a_file_with_the_module_to_import(self):
         done = subprocess.run([ROOT / "course", "python", "-c", "import spook; print(spook.World())"],
                               capture_output=True, text=True, env=os.environ)
-        self.assertEqual(done.stdout.strip(), "<spook.World: 0 bodies, 0 joints, 0.0 s>", done.stderr)
+        self.assertEqual(done.stdout.strip(), "<spook.World: 0 bodies, 0 joints, 0 s>", done.stderr)
 
     def test_a_wheel_holds_the_module_and_says_what_it_is(self):
         sys.path.insert(0, str(ROOT / "tools" / "python"))

@@ -60,7 +60,7 @@ REFUSED = (
     ("no_contact", [["ball", "bx"]], 'no_contact[0][1] must be ball or box or floor or nail, but is "bx"'),
     ("no_contact", [["ball", "box"], ["ball"]],
      "no_contact[1]: number of bodies must be at least 2 to exclude contacts between them, but is 1"),
-    ("no_contact", [["ball", "ball"]], "no_contact[0]: body must be there once, but is 2"),
+    ("no_contact", [["ball", "ball"]], "no_contact[0]: body must be listed once, but is 2"),
     ("no_contact", ["ball", "box"], 'no_contact[0] must be a list, but is "ball"'),
     ("bodies.1", {"name": "nail", "fixed": True, "x": [0, 0, 3], "keyframes": [{"time": 0, "x": [0, 0, 3]}]},
      "bodies[1].x must be left out where keyframes are given"),
@@ -83,7 +83,16 @@ REFUSED = (
     ("format", "x", 'format must be "spook scene", but is "x"'),
     ("version", 3, "version must be 1 or 2, but is 3"),
     ("settings.compose", 4, 'settings.compose is unknown; it is now called "integrator_order"'),
-    ("bodies.2.half_length", -1, "bodies[2]: half length must be zero or positive"),
+    ("bodies.2.half_length", -1, "bodies[2].half_length must be zero or positive"),
+    ("bodies.3.material", {"frictoin": 1}, 'bodies[3].material.frictoin is unknown; did you mean "friction"?'),
+    ("bodies.3.material", {"friction": -1}, "bodies[3].material.friction must be zero or positive, and finite, but is -1"),
+    ("bodies.3.material", {}, "bodies[3].material must be a friction, restitution, k or d, but is {}"),
+    ("materials", [{"i": "box", "j": "bx", "friction": 1}], 'materials[0].j must be ball or box or floor or nail, but is "bx"'),
+    ("materials", [{"i": "box", "j": "box", "friction": 1}], "materials[0].j must be another body than i"),
+    ("materials", [{"i": "box", "j": "floor"}], "materials[0] must be a friction, restitution, k or d"),
+    ("bodies.0.surface_velocity", [1, 0, 1], "part of v along the plane's normal must be 0, but is 1"),
+    ("expected.0.time", 1.001, "expected[0].time must be a whole number of steps of 0.008333 s, but is 1.001"),
+    ("expected.0.time", -1, "expected[0].time must be a whole number of steps"),
     ("h", 0, "h must be positive and finite, but is 0"),
     ("solver", "dirct", 'unknown solver "dirct"; did you mean "direct"?'),
 )
@@ -319,6 +328,40 @@ class SceneFiles(unittest.TestCase):
         self.assertEqual(self.run_of(scene)["integrator_order"], 4)
         self.assertEqual(self.run_of(scene, "--integrator-order", "2")["integrator_order"], 2)
 
+    def test_materials_are_those_of_bodies_or_of_a_pair(self):
+        """Two boxes on a slope in the axes of the slope: one sticks and one slides, by a material each."""
+        slope, mu, g = math.radians(20), 0.5, 9.81
+        box = {"mass": 1, "half_sides": [0.1, 0.1, 0.1]}
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/240", "time": 1,
+                 "settings": {"gravity": [g * math.sin(slope), 0, -g * math.cos(slope)], "friction": mu},
+                 "bodies": [{"plane": {"n": [0, 0, 1], "offset": 0}}, {"x": [0, 0, 0.1], **box}, {"x": [0, 1, 0.1], **box}]}
+        of_body, of_pair = copy.deepcopy(scene), copy.deepcopy(scene)
+        of_body["bodies"][2]["material"] = {"friction": 0}
+        of_pair["materials"] = [{"i": 2, "j": 0, "friction": 0}]
+        for changed_scene in (of_body, of_pair):
+            self.file.write_text(json.dumps(changed_scene))
+            *_, x, y, z = map(float, self.positions(self.file)[-1])
+            self.assertAlmostEqual(x, g * math.sin(slope) / 2, delta=0.02)  # of order h
+            self.assertLess(abs(float(self.positions(self.file)[-1][3])), 1e-3)
+            exported = json.loads(self.spook("scenes", self.file, "--export").stdout)
+            self.assertEqual((exported["bodies"][2].get("material"), exported.get("materials")),
+                             ({"friction": 0.0}, None) if changed_scene is of_body
+                             else (None, [{"i": 0, "j": 2, "friction": 0.0}]))
+
+    def test_a_body_that_is_not_fixed_may_say_so(self):
+        self.file.write_text(json.dumps(changed("bodies.3.fixed", False)))
+        said_so = self.positions(self.file)
+        self.file.write_text(json.dumps(EXAMPLE))
+        self.assertEqual(self.positions(self.file), said_so)
+
+    def test_an_answer_belongs_to_a_step_of_the_run(self):
+        self.file.write_text(json.dumps(EXAMPLE))
+        for words in (["--h", "0.3"], ["--h", "5"]):  # before, the step next to it was compared
+            done = self.spook("run", self.file, *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(f"expected[0].time must be a whole number of steps of {words[1]} s, but is 2", done.stderr)
+        self.assertLess(self.run_of(EXAMPLE, "--h", "0.01", "--substeps", "2")["error"]["value"], 1)
+
     def test_a_wrong_answer_is_off_by_its_tolerances(self):
         scene = changed("expected.0.x", [2, 0, 0.3])
         # 0.2 m and the sinking, in tenths of a millimetre.
@@ -369,8 +412,8 @@ class SceneFiles(unittest.TestCase):
                 continue
             with self.subTest(name):
                 self.file.write_text(exported.stdout)
-                self.assertEqual(self.positions(name, "--time", "0.1")[1:],
-                                 self.positions(self.file, "--time", "0.1")[1:])
+                time = "0.5" if name == "pile" else "0.1"  # until spheres meet the walls, which have a material
+                self.assertEqual(self.positions(name, "--time", time)[1:], self.positions(self.file, "--time", time)[1:])
         self.assertEqual(of_formulas, ["oscillator", "orbit", "andrews"])
 
     def test_mechanisms_are_read(self):
@@ -392,6 +435,10 @@ class SceneFiles(unittest.TestCase):
         self.assertEqual(len(exported["bodies"]), 4)
         self.assertEqual(max(body.get("mass", 0) for body in exported["bodies"]),
                          7 * min(body["mass"] for body in exported["bodies"] if "mass" in body))
+        self.file.write_text(json.dumps(exported))  # the page's first example
+        self.assertEqual(self.run_of(exported, "--solver", "direct", "--time", "0.1")["friction_model"], "two_pass")
+        block = json.loads(self.spook("scenes", "sliding_block", "--export").stdout)
+        self.assertEqual(block["settings"]["friction_model"], "box")  # which is not the default
         for words in (["scenes", "--export"], ["scenes", "tower", "--set", "boxes=3"]):
             self.assertEqual(self.spook(*words).returncode, 2)
 

@@ -164,7 +164,8 @@ class Refusals(unittest.TestCase):
             self.refused(f"run stack --soft-steps 4 --{option}", option.split()[0], "soft-steps")
         for substeps in ["0", "1025", "few"]:
             self.refused(f"run stack --soft-steps {substeps}", "soft-steps", substeps)
-        self.refused("run stack --engine plain --soft-steps 4", "soft-steps", "--engine")
+        self.refused("run stack --engine plain --soft-steps 4", "soft-steps", "use --engine fast")
+        self.refused("run pile --engine plain", "engine plain cannot run a scene with materials", "use engine fast")
 
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
@@ -176,6 +177,41 @@ class Refusals(unittest.TestCase):
             self.refused(["run", "andrews", "--engine", "plain", "--csv", str(kept)], "wrench")
             self.assertEqual(kept.read_text(), "mine")
             self.refused(["run", "orbit", "--csv", folder], "csv", folder)
+
+    def test_a_refused_output_changes_no_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept, new = Path(folder, "kept.csv"), Path(folder, "new.csv")
+            kept.write_text("mine")
+            for csv in (kept, new):
+                self.refused(["run", "stack", "--csv", str(csv), "--record", "/nonexist/r", "--time", "0.1"], "record", "/nonexist/r")
+            self.refused(["run", "stack", "--csv", str(new), "--record", folder], "record", folder)
+            self.assertEqual((kept.read_text(), os.listdir(folder)), ("mine", ["kept.csv"]))
+
+    def test_two_outputs_or_an_input_and_an_output_are_two_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene, state, other = (str(Path(folder, name)) for name in ("a.json", "a.state", "other"))
+            text = spook("scenes", "tower", "--export").stdout
+            Path(scene).write_text(text)
+            run = ["run", scene, "--time", "0.1"]
+            self.assertEqual(spook(*run, "--checkpoint", state).returncode, 0)
+            os.symlink(scene, Path(folder, "link"))
+            for words, named in (([*run, "--csv", scene], ["--csv must be another file than the scene", scene]),
+                                 ([*run, "--record", str(Path(folder, "link"))], ["--record", "the scene"]),
+                                 ([*run, "--checkpoint", scene], ["--checkpoint", "the scene"]),
+                                 ([*run, "--csv", other, "--record", other], ["--record", "that of --csv", other]),
+                                 ([*run, "--csv", other, "--checkpoint", folder + "/./other"], ["--checkpoint", "that of --csv"]),
+                                 ([*run, "--csv", state, "--restart", state], ["--csv", "that of --restart"])):
+                self.refused(words, *named)
+            self.assertEqual((Path(scene).read_text(), Path(other).exists()), (text, False))
+            self.assertEqual(spook(*run, "--restart", state, "--checkpoint", state).returncode, 0)
+            self.assertEqual(spook(*run, "--csv", "/dev/null", "--record", "/dev/null").returncode, 0)
+
+    def test_options_that_lack_a_value_or_have_two(self):
+        self.refused("run orbit --h 1/60 --h 1/30", "--h is given twice: leave one out")
+        self.refused("run orbit --csv", "--csv needs a value")
+        self.refused("run orbit --set", "--set needs a value")
+        self.refused("run stack --iterations 10,12", "iterations must be one number", '"10,12"', "a sweep of iterations takes a list")
+        self.refused("run stack --iterations many", "iterations must be a whole number from 1", '"many"')
 
 
 class Runs(unittest.TestCase):
@@ -379,6 +415,8 @@ class Runs(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(folder)), ["f.csv", "r.csv", "state", "w.csv"])
             self.assertIn("80 steps of 0.01 s, 0.8 s, restarted at 0.5 s",
                           spook(*call[:-1], "--time", "0.8", "--restart", state).stdout)
+            self.assertIn(f'--csv "{rest}" is replaced, by the steps after the restart alone',
+                          spook(*call, "--time", "0.8", "--csv", rest, "--restart", state).stderr)
             again = json.loads(spook(*call, "--time", "0.5", "--restart", state).stdout)
             self.assertIsNone(again["us_per_step"])  # no step is left
 

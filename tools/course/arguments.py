@@ -99,6 +99,9 @@ def parse(words: list[str]) -> argparse.Namespace:
     if unknown:
         options = [option for action in commands[words[0]]._actions for option in action.option_strings]
         what = "option" if unknown[0].startswith("-") else "argument"
+        if words[0] == "plot" and what == "option" and not near(unknown[0], options, 0.75):
+            raise BadInput(f"plot: unknown option {unknown[0]!r}; options of an experiment go after --: "
+                           f"./course plot NAME -- {unknown[0]} ...")
         raise BadInput(f"{words[0]}: unknown {what} {unknown[0]!r}{near(unknown[0], options)}; "
                        f"see ./course {words[0]} --help")
     if more:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 from errors import BadInput
+from pick import near
 
 # Options of run that may differ, unless the scene has a parameter of this name; any other name is a parameter.
 _OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator-order", "row-order",
@@ -53,6 +54,10 @@ def with_changed(words: list[str], name: str, value: str, parameters: Collection
         return _flagged(words, value)
     if option in _OPTIONS:
         return [*without(words, f"--{option}"), f"--{option}", value]
+    if parameters:
+        known = sorted(parameters) + sorted({*_OPTIONS, _FLAG})
+        raise BadInput(f"{name!r} is neither a parameter of {words[0]} nor an option of run"
+                       f"{near(name, known) or '; there are: ' + ', '.join(known)}")
     return [*_without_parameter(words, name), "--set", f"{name}={value}"]
 
 

@@ -9,7 +9,7 @@ from mine import own_engine
 HELP = """
 Of the course:
   --mine                  With what you have written so far, right or wrong
-  --engine mine           By your own step: the plain engine, with --mine
+  --engine mine           A third choice: the plain engine with your own step
   --plot NAME[,NAME ...]  Draw what --csv has over time: a column, or all whose
                           names begin with this word
   --sweep NAME=A,B,... ...
@@ -18,6 +18,7 @@ Of the course:
                           orders in h, d or k, and means over seed. A list
                           after --set is swept, too. --csv FILE has the table
   --shard I/N             Of a sweep: only each N-th run, from the I-th
+  --merge FILE ...        Of a sweep: no runs, but those of its shards' --csv
   --slurm N               Of a sweep: as an array of N on an existing Slurm
 """
 
@@ -29,6 +30,7 @@ class Extras:
     sweep: dict[str, tuple[str, ...]] = field(default_factory=dict)  # values by name
     shard: tuple[int, int] = (1, 1)
     slurm: int = 0
+    merge: tuple[str, ...] = ()  # tables of shards
 
 
 def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
@@ -37,6 +39,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     plot, words = _taken("--plot", words)
     shard, words = _taken("--shard", words)
     slurm, words = _taken("--slurm", words)
+    merged, words = _taken_lists("--merge", words, lambda word: True)
     swept, words = _taken_lists("--sweep", words, lambda word: True)
     listed, words = _taken_lists("--set", words, lambda word: "," in word)
     names = tuple(plot.split(",")) if plot is not None else ()
@@ -48,9 +51,15 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
         if name in axes:
             raise BadInput(f"run: {name} is swept twice")
         axes[name] = values
-    if not axes and (shard or slurm):
-        raise BadInput(f"run: {'--shard' if shard else '--slurm'} needs --sweep")
-    extras = Extras(own or "--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1), _count(slurm) if slurm else 0)
+    for option, given in (("--shard", shard), ("--slurm", slurm), ("--merge", merged)):
+        if given and not axes:
+            raise BadInput(f"run: {option} needs --sweep")
+        if given and merged and option != "--merge":
+            raise BadInput(f"run: --merge makes no runs: leave out {option}")
+    if merged and (plot or own or "--mine" in arguments):
+        raise BadInput("run: --merge makes no runs: leave out --plot, --mine and --engine mine")
+    extras = Extras(own or "--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1),
+                    _count(slurm) if slurm else 0, tuple(merged))
     return extras, words
 
 
@@ -84,8 +93,8 @@ def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) 
         while k < len(words) and not words[k].startswith("-"):
             given.append(words[k])
             k += 1
-        if option == "--sweep" and not given:
-            raise BadInput("run: --sweep needs a value")
+        if option in ("--sweep", "--merge") and not given:
+            raise BadInput(f"run: {option} needs a value")
         found = [word for word in given if is_list(word)]
         lists += found
         kept = [word for word in given if word not in found]

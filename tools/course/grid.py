@@ -53,7 +53,7 @@ def same(one: Any, other: Any) -> bool:
 def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tuple[float | None, float | None]]:
     """Returns for each row the ratio of errors and the observed order.
 
-    Both are from the last row before that differs in h, or else d, or else k, alone.
+    Both are from the last row before that differs in h, or else d, or else k, alone. A lost run has none.
 
     The order p of errors e and e' is log(e/e')/log(h/h'). A sweep of none of the three has none.
     """
@@ -67,7 +67,14 @@ def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tupl
     return found
 
 
+def is_lost(row: Mapping[str, Any]) -> bool:
+    """Returns True for a run whose motion is not that of the problem, or that did not get to its end."""
+    return row.get("state") in ("lost", "blew up")
+
+
 def _order(before: Mapping[str, Any], now: Mapping[str, Any], axis: str) -> tuple[float | None, float | None]:
+    if is_lost(before) or is_lost(now):
+        return None, None
     values, errors = [number(before[axis]), number(now[axis])], [before["error"], now["error"]]
     if not all(each and 0 < each < math.inf for each in values + errors) or values[0] == values[1]:
         return None, None
@@ -77,13 +84,15 @@ def _order(before: Mapping[str, Any], now: Mapping[str, Any], axis: str) -> tupl
 @dataclass(frozen=True)
 class Mean:
     point: dict[str, Any]  # without the seed
-    runs: int  # that have an error
+    runs: int  # that have an error and are not lost
+    unsolved: int  # of these
+    lost: int  # the runs that are left out as lost
     mean: float | None
     half_width: float | None  # of the 95 % confidence interval of the mean; None for fewer than two runs
 
 
 def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = SEED) -> list[Mean]:
-    """Returns the mean error over seeds for each combination of the other values.
+    """Returns the mean error over seeds for each combination of the other values. Lost runs are left out, and counted.
 
     The interval holds for errors that are normally distributed.
     """
@@ -95,15 +104,56 @@ def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = S
 
 
 def _mean(point: dict[str, Any], rows: list[Mapping[str, Any]]) -> Mean:
-    errors = [row["error"] for row in rows if row["error"] is not None and math.isfinite(row["error"])]
-    count = len(errors)
+    lost = sum(map(is_lost, rows))
+    kept = [row for row in rows if not is_lost(row) and row["error"] is not None and math.isfinite(row["error"])]
+    unsolved = sum(row.get("state") == "unsolved" for row in kept)
+    errors, count = [row["error"] for row in kept], len(kept)
     if count == 0:
-        return Mean(point, 0, None, None)
+        return Mean(point, 0, 0, lost, None, None)
     mean = math.fsum(errors) / count
     if count == 1:
-        return Mean(point, 1, mean, None)
+        return Mean(point, 1, unsolved, lost, mean, None)
     deviation = math.sqrt(math.fsum((error - mean) ** 2 for error in errors) / (count - 1))
-    return Mean(point, count, mean, student_t(count - 1) * deviation / math.sqrt(count))
+    return Mean(point, count, unsolved, lost, mean, student_t(count - 1) * deviation / math.sqrt(count))
+
+
+def mean_orders(found: Sequence[Mean]) -> list[float | None]:
+    """Returns the observed order of each mean, from the last one before that differs in h, or else d, or else k, alone."""
+    rows = [{**mean.point, "error": mean.mean} for mean in found]
+    return [order for _, order in orders(rows, found[0].point if found else ())]
+
+
+@dataclass(frozen=True)
+class Fit:
+    point: dict[str, Any]  # without the seed, and without h, or else d, or else k
+    runs: int
+    order: float
+    half_width: float  # of the 95 % confidence interval of the order
+
+
+def fits(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[Fit]:
+    """Returns the order p of each combination of the other values, by a line through log(error) over log(h).
+
+    Lost runs are left out, and so are combinations with fewer than three runs or values of h. The interval holds for
+    logarithms that scatter normally about the line.
+    """
+    axis = next((name for name in ORDERED if name in names), None)
+    others = [name for name in names if name not in (axis, SEED)]
+    groups: dict[tuple, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        if axis and not is_lost(row) and all(each and 0 < each < math.inf for each in (number(row[axis]), row["error"])):
+            groups.setdefault(tuple(str(row[name]) for name in others), []).append(row)
+    return [_fit({name: group[0][name] for name in others}, group, axis) for group in groups.values()
+            if len({number(row[axis]) for row in group}) > 2]
+
+
+def _fit(point: dict[str, Any], rows: list[Mapping[str, Any]], axis: str) -> Fit:
+    x, y = [math.log(number(row[axis])) for row in rows], [math.log(row["error"]) for row in rows]
+    count, x_mean, y_mean = len(rows), math.fsum(x) / len(rows), math.fsum(y) / len(rows)
+    spread = math.fsum((each - x_mean) ** 2 for each in x)
+    order = math.fsum((a - x_mean) * (b - y_mean) for a, b in zip(x, y)) / spread
+    left = math.fsum((b - y_mean - order * (a - x_mean)) ** 2 for a, b in zip(x, y))
+    return Fit(point, count, order, student_t(count - 2) * math.sqrt(left / (count - 2) / spread))
 
 
 @functools.cache

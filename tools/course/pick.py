@@ -16,9 +16,9 @@ from paths import CHAPTERS
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?")
 
 
-def near(word: str, known: list[str]) -> str:
+def near(word: str, known: list[str], cutoff: float = 0.5) -> str:
     """', did you mean X?' if something known is spelled almost like the word."""
-    matches = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
+    matches = difflib.get_close_matches(word, known, n=1, cutoff=cutoff)
     return f"; did you mean {matches[0]}?" if matches else ""
 
 

@@ -168,25 +168,32 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_st
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
     live = Live(experiment.name, delay=0)  # the first point alone may take minutes
+    held: list[str] = []  # the last line, which may be that of a refusal
+
+    def print_held() -> None:
+        live.done()
+        while held:
+            print(fold(held.pop().rstrip(), "  "), flush=True)
 
     def on_line(line: str) -> None:
         if _PROGRESS.match(line):
             live.update(line.strip())
         else:
-            live.done()
-            print(fold(line.rstrip(), "  "), flush=True)
+            print_held()
+            held.append(line)
 
     code, output = stream(command, on_line)
-    live.done()
     if code == 2:
-        raise BadInput(tail(output, 1))
+        live.done()
+        raise BadInput(f"plot: {tail(output, 1).strip()}")
+    print_held()
     if code not in (0, 1):
         raise CourseError(f"{experiment.name} ended with exit code {code}", tail(output))
     if code == 1 and not (folder / "claims.json").exists():
         raise CourseError(f"{experiment.name} failed", tail(output))
     if (folder / "table.csv").exists():
         write_manifest(folder / "table.csv", ["plot", experiment.name, *(["--quick"] if arguments.quick else []),
-                                              *(["--", *arguments.more] if arguments.more else [])])
+                                              *(["--", *arguments.more] if arguments.more else [])], [path])
     return code
 
 

@@ -1,5 +1,6 @@
-"""Writes a manifest beside a result: the command, commit, compiler and machine that computed it."""
+"""Writes a manifest beside a result: the command, files, commit, compiler and machine that computed it."""
 
+import hashlib
 import json
 import os
 import platform
@@ -12,9 +13,11 @@ from machine import processors
 from version import commit, version
 
 
-def write_manifest(result: Path, command: list[str]) -> None:
-    """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds."""
-    manifest = {"command": ["./course", *command], "version": version(), "commit": commit(),
+def write_manifest(result: Path, command: list[str], files: list[Path]) -> None:
+    """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds; `files` are the program
+    and what it read, by which the manifest has their SHA-256."""
+    hashes = {str(file): hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()}
+    manifest = {"command": ["./course", *command], "sha256": hashes, "version": version(), "commit": commit(),
                 "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
                 "processors": processors(), "date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
     path = result.with_name(f"{result.name}.manifest.json")

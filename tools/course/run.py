@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 import crash
-from engine import parameters_of, program
+from engine import RELEASE, parameters_of, program
 from errors import CourseError
 from extras import HELP, taken
 from manifest import Exercise
@@ -35,11 +35,17 @@ def run(arguments: list[str]) -> int:
                    parameters_of)
     code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine, called)
     if code != 2 and csv and Path(csv).is_file():
-        write_manifest(Path(csv), ["run", *arguments])
+        write_manifest(Path(csv), ["run", *arguments], [RELEASE.program("spook_mine" if mine else "spook"), *_inputs(words)])
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine, called.names)} {_CHECKS}") if mine else
               "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     return code
+
+
+def _inputs(words: list[str]) -> list[Path]:
+    """Returns the files that a run reads: a scene's file, and a checkpoint."""
+    restart = value_of("--restart", words)
+    return [Path(name) for name in (words[0], restart) if name and (name == restart or name.endswith(".json"))]
 
 
 class Called:

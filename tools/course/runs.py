@@ -1,5 +1,6 @@
 """./course run --plot and --sweep: one run or several, as a table and as a figure."""
 
+import csv
 import json
 import os
 import subprocess
@@ -12,10 +13,10 @@ from beside import with_changed, without
 from curves import Table, draw, matching
 from errors import BadInput
 from extras import Extras
-from grid import combinations, impossible_value, number, write_csv
+from grid import combinations, impossible_value, number, same, write_csv
 from paths import BUILD, ROOT, shown
 from slurm import run_array
-from sweep import Result, Sweep, as_json, as_text
+from sweep import Result, Sweep, as_json, as_text, result_of
 from terminal import Bar, fold_lines
 
 
@@ -51,8 +52,13 @@ class Runs:
         for option in ("--record", "--positions", "--checkpoint", "--restart"):
             if value_of(option, self._words) is not None or option in self._words:
                 raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
+        if sum(word == "--csv" or word.startswith("--csv=") for word in self._words) > 1:
+            raise BadInput("run: --csv is given twice: leave one out")
         if csv is not None:
             _require_writable(csv)
+            _require_other(csv, self._words[0])
+        if self._extras.merge:
+            return self._merged(csv)
         plain = without([word for word in self._words if word != "--json"], "--csv")
         names = self._parameters(plain[0])
         index, count = self._extras.shard
@@ -67,13 +73,31 @@ class Runs:
         skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
         asked = [(point, words) for point, words, why in zip(points, each, refusals) if not why]
         results, tables, worst = self._results(asked, folder)
-        sweep = Sweep(axes, results, skipped)
+        sweep = Sweep(axes, results, skipped, f"{index}/{count}" if count > 1 else "")
         if csv is not None:
             write_csv(csv, sweep.table())
         print((as_json if "--json" in self._words else as_text)(sweep))
         if tables:
             self._draw(tables)
         return worst
+
+    def _merged(self, csv: str | None) -> int:
+        """Prints the sweep of shards that were run before, from their tables."""
+        rows = [row for file in self._extras.merge for row in _rows_of(file, list(self._extras.sweep))]
+        results, missing = [], []
+        for point in combinations(self._extras.sweep):
+            row = next((row for row in rows if all(same(row[name], value) for name, value in point.items())), None)
+            if row is None:
+                missing.append(Result(point, None, "it is in none of the merged tables"))
+            else:
+                results.append(result_of(self._words[0], point, row))
+        if not results:
+            raise BadInput("run: --merge: the tables have no run of this sweep")
+        sweep = Sweep(self._extras.sweep, results, missing)
+        if csv is not None:
+            write_csv(csv, sweep.table())
+        print((as_json if "--json" in self._words else as_text)(sweep))
+        return 0
 
     def _changed(self, words: list[str], point: dict[str, str], names: set[str]) -> list[str]:
         for name, value in point.items():
@@ -158,6 +182,18 @@ class Runs:
         print(f"figure: {shown(figure)}", file=sys.stderr if "--json" in self._words else sys.stdout)
 
 
+def _rows_of(file: str, names: list[str]) -> list[dict[str, str]]:
+    """Reads the table of a sweep of these names."""
+    try:
+        rows = list(csv.DictReader(Path(file).read_text(encoding="utf-8").splitlines()))
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadInput(f'run: --merge "{file}" cannot be read: {error}') from None
+    for name in [*names, "error", "state", "h"]:
+        if not rows or name not in rows[0]:
+            raise BadInput(f'run: --merge "{file}" is no table of this sweep: it has no column {name}')
+    return rows
+
+
 def _last_line(err: str) -> str:
     return (err.strip().splitlines() or [""])[-1].removeprefix("spook: ")
 
@@ -167,6 +203,12 @@ def _require_writable(file: str) -> None:
     path = Path(file)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
         raise BadInput(f'run: csv "{file}" cannot be written')
+
+
+def _require_other(csv: str, scene: str) -> None:
+    """Refuses to replace the scene's file by the table."""
+    if Path(csv).exists() and Path(scene).exists() and Path(csv).samefile(scene):
+        raise BadInput(f'run: --csv must be another file than the scene, but is "{csv}"')
 
 
 def value_of(option: str, words: list[str]) -> str | None:

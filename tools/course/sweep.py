@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from grid import ORDERED, SEED, Mean, means, orders
+from grid import ORDERED, SEED, Fit, Mean, fits, mean_orders, means, number, orders
 from terminal import counted, fold
 
 
@@ -21,10 +21,12 @@ class Sweep:
     axes: Mapping[str, Sequence[str]]
     results: list[Result]
     skipped: list[Result]  # combinations that the engine refuses, and why
+    shard: str = ""  # "1/2" of a part
 
     def rows(self) -> list[dict[str, Any]]:
         """Returns a flat row for each run: its values as typed, its numbers, its state."""
-        flat = [_row(result) for result in self.results]
+        h = next((result.run["h"] for result in self.results if result.run), None)  # of all runs, where it is not swept
+        flat = [_row(result, h) for result in self.results]
         for row, (ratio, order) in zip(flat, orders(flat, self.axes)):
             row |= {"ratio": ratio, "order": order}
         return flat
@@ -32,22 +34,37 @@ class Sweep:
     def means(self) -> list[Mean]:
         return means(self.rows(), self.axes) if len(self.axes.get(SEED, ())) > 1 else []
 
+    def fits(self) -> list[Fit]:
+        return fits(self.rows(), self.axes)
+
     def table(self) -> list[dict[str, Any]]:
         """Returns rows() for --csv: with h in seconds, and without the ratio."""
         return [{name: value for name, value in row.items() if name not in ("ratio", "seconds_of_h")}
                 | {"h": row["seconds_of_h"]} for row in self.rows()]
 
 
-_NONE = dict.fromkeys(("error", "unit", "state", "why", "residual", "us_per_step", "row_updates", "steps", "time"))
+_NONE = dict.fromkeys(("error", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps", "time"))
 
 
-def _row(result: Result) -> dict[str, Any]:
+def _row(result: Result, h: float | None) -> dict[str, Any]:
+    """Returns the row of a run. A run that blew up has the `h` of its point, or that of the other runs."""
     if result.run is None:
-        return {**result.point, **_NONE, "seconds_of_h": None, "state": "lost", "why": result.why}
+        h = number(result.point["h"]) if "h" in result.point else h
+        return {**result.point, **_NONE, "seconds_of_h": h, "state": "lost", "why": result.why}
     run = result.run
     return {**result.point, "error": run["error"]["value"], "unit": run["error"]["unit"], "state": run["state"]["name"],
-            "why": run["state"]["reason"], "residual": run["residual"], "us_per_step": run["us_per_step"],
+            "why": run["state"]["reason"], "note": run["state"].get("note", ""), "residual": run["residual"], "us_per_step": run["us_per_step"],
             "row_updates": run["row_updates"], "steps": run["steps"], "time": run["time"], "seconds_of_h": run["h"]}
+
+
+def result_of(scene: str, point: Mapping[str, str], row: Mapping[str, str]) -> Result:
+    """Returns the result of a run from its row in the table of a sweep."""
+    if not row.get("steps"):  # it did not get to its end
+        return Result(point, None, row["why"])
+    numbers = {name: number(row[name]) if row[name] else None
+               for name in ("error", "h", "residual", "us_per_step", "row_updates", "steps", "time")}
+    return Result(point, numbers | {"scene": scene, "error": {"name": "error", "value": numbers["error"], "unit": row["unit"]},
+                                    "state": {"name": row["state"], "reason": row["why"], "note": row.get("note", "")}}, "")
 
 
 def as_json(sweep: Sweep) -> str:
@@ -55,8 +72,11 @@ def as_json(sweep: Sweep) -> str:
             | (result.run or {}) for result, row in zip(sweep.results, sweep.rows())]
     return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
                        "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
-                       "means": [{"point": mean.point, "runs": mean.runs, "mean": mean.mean,
-                                  "half_width": mean.half_width} for mean in sweep.means()]}, ensure_ascii=False)
+                       "means": [{"point": mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
+                                  "mean": mean.mean, "half_width": mean.half_width, "observed_order": order}
+                                 for mean, order in zip(sweep.means(), mean_orders(sweep.means()))],
+                       "fits": [{"point": fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
+                                for fit in sweep.fits()]}, ensure_ascii=False)
 
 
 def as_text(sweep: Sweep) -> str:
@@ -66,7 +86,8 @@ def as_text(sweep: Sweep) -> str:
         return "\n".join(map(fold, lost))
     unit = ended["error"]["unit"]
     about = fold(f"{ended['scene']}: {ended['error']['name']}{f' [{unit}]' if unit else ''}")
-    return "\n".join([about, "", *_runs(sweep), *_order_note(sweep), *_mean_lines(sweep.means()), *_after(lost),
+    return "\n".join([about, "", *_runs(sweep), *_order_note(sweep), *_mean_lines(sweep), *_fit_lines(sweep),
+                      *_after(lost),
                       *_skipped(sweep.skipped)]).rstrip()
 
 
@@ -91,14 +112,29 @@ def _order_note(sweep: Sweep) -> list[str]:
     return ["", *fold(note).splitlines()]
 
 
-def _mean_lines(found: list[Mean]) -> list[str]:
+def _mean_lines(sweep: Sweep) -> list[str]:
+    found = sweep.means()
     if not found:
         return []
-    lines = [[*found[0].point, "runs", "mean error", "±"]]
-    for mean in found:
-        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"),
-                      _shown(mean.half_width, "", ".2g")])
-    return ["", "mean over seeds, with its 95 % confidence interval", "",
+    lines = [[*found[0].point, "runs", "mean error", "±", "order", "unsolved", "lost"]]
+    for mean, order in zip(found, mean_orders(found)):
+        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"), _shown(mean.half_width, "", ".2g"),
+                      _shown(order, "", ".2f"), str(mean.unsolved or ""), str(mean.lost or "")])
+    lost = "; lost runs are left out" if any(mean.lost for mean in found) else ""
+    part = f" of shard {sweep.shard}" if sweep.shard else ""
+    return ["", *fold(f"mean over seeds{part}, with its 95 % confidence interval{lost}").splitlines(), "",
+            *_aligned(lines, kept=len(lines[0]) - 3, left=len(found[0].point))]
+
+
+def _fit_lines(sweep: Sweep) -> list[str]:
+    found = sweep.fits()
+    if not found:
+        return []
+    part = f" of shard {sweep.shard}" if sweep.shard else ""
+    lines = [[*found[0].point, "runs", "order", "±"]]
+    lines += [[*fit.point.values(), str(fit.runs), _shown(fit.order, "", ".2f"), _shown(fit.half_width, "", ".2g")]
+              for fit in found]
+    return ["", *fold(f"order by a line through all runs{part}, with its 95 % confidence interval").splitlines(), "",
             *_aligned(lines, kept=len(lines[0]), left=len(found[0].point))]
 
 
@@ -129,4 +165,7 @@ def _aligned(rows: list[list[str]], kept: int, left: int) -> list[str]:
 
 
 def _shown(value: float | None, otherwise: str, form: str = ".4g") -> str:
-    return otherwise if value is None else format(value, form)
+    if value is None:
+        return otherwise
+    text = format(value, form)
+    return text.removeprefix("-") if text.strip("-0.") == "" else text  # no -0.00

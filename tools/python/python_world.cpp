@@ -17,11 +17,13 @@ void PythonWorld<Dof>::step(double h, std::int64_t steps) {
     ~Busy() { busy = false; }
   };
   try {
+    stepping_ = std::this_thread::get_id();
     const Busy busy(busy_);
     const py::gil_scoped_release unlocked;
     step_unlocked(h, steps);
   } catch (const SimulationDiverged& diverged) {
     reason_ = diverged.what();
+    warned_ = true;  // by the exception
     throw;
   }
   warn();
@@ -33,6 +35,7 @@ void PythonWorld<Dof>::step_unlocked(double h, std::int64_t steps) {
   auto last = Clock::now();
   std::int64_t between = 1;
   for (std::int64_t n = 1, next = 1; n <= steps; ++n) {
+    if (checked_) check_.begin_step(world_);
     world_.step(h);
     last_h_ = h;
     if (checked_) check_.look(world_, h);
@@ -60,7 +63,7 @@ template <int Dof>
 void PythonWorld<Dof>::put_load(int body, const Twist<Dof>& load) {
   const std::size_t i = world().index(body);
   if (world_.bodies().is_fixed(i))
-    throw std::invalid_argument("body must be a dynamic one, but is " + std::to_string(body));
+    throw std::invalid_argument("body must be a dynamic body, but is " + std::to_string(body));
   require_all_finite("force", load.template head<3>());
   if constexpr (Dof == 6) require_all_finite("torque", load.template tail<3>());
   if (!world_.settings().wrench) world_.set_wrench(Loads<Dof>());

@@ -2,6 +2,7 @@
 // A world for Python: with forces on its bodies, arrays over its numbers, and a verdict on its steps.
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "engine/diagnostics/run_check.hpp"
 #include "views.hpp"
@@ -42,10 +43,13 @@ class PythonWorld {
         last_h_(other.last_h_),
         reason_(other.reason_) {}
 
-  /// Throws std::runtime_error while another thread steps.
+  /// Throws std::runtime_error during a step: of another thread, or of this one, in a velocity function.
   World<Dof>& world() { return const_cast<World<Dof>&>(std::as_const(*this).world()); }
   const World<Dof>& world() const {
-    if (busy_) throw std::runtime_error("the world is taking a step in another thread");
+    if (busy_)
+      throw std::runtime_error(stepping_ == std::this_thread::get_id()
+                                   ? "a velocity function cannot use its world, which is taking a step"
+                                   : "the world is taking a step in another thread");
     return world_;
   }
   /// Locks the world to add or remove bodies. Throws py::buffer_error while arrays of the bodies' numbers exist.
@@ -65,6 +69,8 @@ class PythonWorld {
   /// The length of the last step [s]; 1 before the first, when there are no impulses.
   double last_h() const { return last_h_; }
 
+  /// Returns "sound", "unsolved" or "lost"; "unchecked" for a finite world without checks.
+  std::string state_name() const { return checked_ || !reason_.empty() ? name_of(state()) : "unchecked"; }
   State state() const { return reason_.empty() ? check_.verdict().state : State::lost; }
   const std::string& reason() const { return reason_.empty() ? check_.verdict().reason : reason_; }
   const std::string& note() const { return check_.verdict().note; }
@@ -95,6 +101,7 @@ class PythonWorld {
   RunCheck<Dof> check_;
   bool checked_;
   bool busy_ = false;
+  std::thread::id stepping_ = {};  // the thread that takes the step
   bool warned_ = false;
   double last_h_ = 1;
   std::string reason_;  // of a world that is no longer finite

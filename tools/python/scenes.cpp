@@ -98,7 +98,8 @@ py::dict run_scene(const std::string& name, const Texts& set, const Texts& optio
     result = run(scene, parameters, settings, watch);
   }
   return py::dict("error"_a = result.error, "state"_a = name_of(result.verdict.state),
-                  "reason"_a = result.verdict.reason, "us_per_step"_a = result.us_per_step,
+                  "reason"_a = result.verdict.reason, "note"_a = result.verdict.note,
+                  "unsolved_steps"_a = result.verdict.unsolved, "us_per_step"_a = result.us_per_step,
                   "residual"_a = result.last.residual, "row_updates"_a = result.row_updates,
                   "h"_a = settings.method.h, "steps"_a = result.steps, "solver"_a = settings.method.solver,
                   "columns"_a = result.columns, "samples"_a = as_rows(samples, result.columns.size()));

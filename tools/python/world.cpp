@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "binding.hpp"
+#include "common/require.hpp"
 #include "engine/collision/queries.hpp"
 #include "scenes/choose.hpp"
 #include "scenes/method.hpp"
@@ -329,6 +330,23 @@ void bind_constructor(Binding<Dof>& type, const Make& make_world, const Rest&...
                   "max_parts"_a = Settings<Dof>{}.max_parts, "threads"_a = 1, "check"_a = true, rest...);
 }
 
+/// Binds `step`. The second function takes calls whose arguments need a conversion, and explains those that none can
+/// take. A wrapper in Python, as other functions have, would cost as much as the call.
+template <int Dof>
+void bind_step(Binding<Dof>& type) {
+  using Self = PythonWorld<Dof>;
+  const std::string text =
+      std::string("step(h: float, steps: int = 1) -> None\n\n") + type.documentation("step");
+  py::options options;
+  options.disable_function_signatures();  // else the text lists both functions
+  type.type()
+      .def("step", &Self::step, text.c_str(), "h"_a, "steps"_a = 1)
+      .def("_step", &Self::step, "h"_a, "steps"_a = 1)
+      .def("step", [](const py::object& self, const py::args& given, const py::kwargs& named) {
+        py::module_::import("spook.arguments").attr("step_otherwise")(self, given, named);
+      });
+}
+
 template <int Dof>
 void bind_both(Binding<Dof>& type, const char* name) {
   using Self = PythonWorld<Dof>;
@@ -375,14 +393,24 @@ void bind_both(Binding<Dof>& type, const char* name) {
           "start_consistently", [](Self& self, double h) { self.moved().start_consistently(h); }, "h"_a)
       .def(
           "synchronized_velocity",
-          [](const Self& self, int body, double h) { return self.world().synchronized_velocity(body, h); },
+          [](const Self& self, int body, double h) {
+            require_positive("h", h);
+            return self.world().synchronized_velocity(body, h);
+          },
           "body"_a, "h"_a)
-      .def("step", &Self::step, "h"_a, "steps"_a = 1)
+      .def(
+          "velocity_lag",
+          [](const Self& self, double h) {
+            require_positive("h", h);
+            return self.world().velocity_lag(h);
+          },
+          "h"_a)
+      .property("parts", [](const Self& self) { return self.world().parts(); })
       .property("time", [](const Self& self) { return self.world().time(); })
       .property("steps", [](const Self& self) { return self.world().steps(); })
       .property("masses", &masses<Dof>)
       .property("energy", &energy<Dof>)
-      .property("state", [](const Self& self) { return name_of(self.state()); })
+      .property("state", [](const Self& self) { return self.state_name(); })
       .property("reason", &Self::reason)
       .property("note", &Self::note)
       .def("contacts", &contacts<Dof>)
@@ -398,6 +426,7 @@ void bind_both(Binding<Dof>& type, const char* name) {
           },
           "centre"_a, "radius"_a)
       .def("report", &report<Dof>);
+  bind_step(type);
   type.view("x",
             [](const py::object& o, Self& self) { return self.views.of(self.world().bodies().x, 3, 0, o); });
   type.view("v", [](const py::object& o, Self& self) {
@@ -409,9 +438,12 @@ void bind_both(Binding<Dof>& type, const char* name) {
       .def(
           "__deepcopy__", [](const Self& self, const py::dict&) { return Self(self); }, "memo"_a)
       .def("__repr__", [name](const Self& self) {
-        return "<spook." + std::string(name) + ": " + std::to_string(self.world().bodies().size()) +
-               " bodies, " + std::to_string(self.world().joints().size()) + " joints, " +
-               py::repr(py::float_(self.world().time())).cast<std::string>() + " s>";
+        const auto counted = [](std::size_t count, const char* one, const char* more) {
+          return std::to_string(count) + " " + (count == 1 ? one : more);
+        };
+        return "<spook." + std::string(name) + ": " + counted(self.world().bodies().size(), "body", "bodies") +
+               ", " + counted(self.world().joints().size(), "joint", "joints") + ", " +
+               std::string(py::str("{:.9g}").format(self.world().time())) + " s>";
       });
 }
 
@@ -476,6 +508,7 @@ void bind_rigid(py::module_& module) {
       .def(
           "synchronized_angular_velocity",
           [](const PythonWorld<6>& self, int body, double h) {
+            require_positive("h", h);
             return self.world().synchronized_angular_velocity(body, h);
           },
           "body"_a, "h"_a)

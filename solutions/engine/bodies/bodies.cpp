@@ -14,16 +14,16 @@ Shape shape_of(const Body<Dof>& body) {
   Shape shape = NoShape{};
   if (body.radius > 0) shape = Sphere{body.radius};
   if constexpr (Dof == 6) {
-    require_not_negative("half length", body.half_length);
+    require_not_negative("half_length", body.half_length);
     const bool box = !body.half_sides.isZero(0), points = !body.corners.empty();
     if (body.half_length > 0) {
-      if (body.radius == 0) reject("radius", body.radius, "positive for a body with a half length");
+      if (body.radius == 0) reject("radius", body.radius, "positive for a body with a half_length");
       shape = Capsule{body.radius, body.half_length};
     }
     if (points && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
-    if (box && body.radius != 0) reject("radius", body.radius, "0 for a body with half sides");
+    if (box && body.radius != 0) reject("radius", body.radius, "0 for a body with half_sides");
     if (box && points)
-      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half sides");
+      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half_sides");
     if (box) shape = Cuboid{body.half_sides};
     if (points) shape = PointSet{body.corners};
   }

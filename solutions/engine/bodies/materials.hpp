@@ -15,6 +15,8 @@ namespace spook {
 
 /// The contact parameters of a body or of a pair of bodies. Default for a missing number: the world's settings.
 struct Material {
+  bool operator==(const Material&) const = default;
+
   std::optional<double> friction = {};     ///< μ
   std::optional<double> restitution = {};  ///< e, 0 to 1
   std::optional<double> k = {};            ///< [N/m]
@@ -43,6 +45,10 @@ class Materials {
   double stiffness() const { return world_.k; }
 
   PairMaterial of(int i, int j) const;
+
+  /// The materials that were set: by body, where bodies after the last may lack one; and by pair, the smaller index first.
+  const std::vector<Material>& of_bodies() const { return bodies_; }
+  const std::map<std::pair<int, int>, Material>& of_pairs() const { return pairs_; }
 
   /// Tells whether any material was set.
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }

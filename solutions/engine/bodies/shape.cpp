@@ -16,7 +16,7 @@ void require_sound(const Shape& shape) {
       shape, [](const NoShape&) {}, [](const Sphere& sphere) { require_positive("radius", sphere.radius); },
       [](const Capsule& capsule) {
         require_positive("radius", capsule.radius);
-        require_not_negative("half length", capsule.half_length);
+        require_not_negative("half_length", capsule.half_length);
       },
       [](const Cuboid& box) { require_sides(box.half_sides); },
       [](const PointSet& set) {

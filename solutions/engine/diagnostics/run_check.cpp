@@ -86,10 +86,18 @@ static double fastest_products(const World<Dof>& world) {
 }
 
 template <int Dof>
+void RunCheck<Dof>::begin_step(const World<Dof>& world) {
+  if (!moved_ && world.steps() == last_step_) return;
+  x_before_ = world.bodies().x;
+  placed_ = true;
+}
+
+template <int Dof>
 void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double T = kinetic_energy(bodies);
+  const bool were_moved = moved_;
   // What a kinematic body gives by an impact is not known.
   moved_ = moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0);
   const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
@@ -101,8 +109,9 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (goes_on) {
     look_at_solve(world, h / world.parts());
     look_at_gaps(world, h / world.parts());
-    if (!moved_) look_at_motion(world);
   }
+  if (placed_ || (goes_on && !were_moved)) look_at_motion(world);
+  placed_ = false;
   if (goes_on && !moved_) {
     look_at_energy(world, h, T);
     first_ = false;

@@ -52,6 +52,10 @@ struct Verdict {
 template <int Dof>
 class RunCheck {
  public:
+  /// Notes where bodies are before a step, if no earlier check has: before the first step, and after bodies were moved.
+  /// Then a passage in that step is found, too. May be left out.
+  void begin_step(const World<Dof>& world);
+
   /// Checks the step of `h` [s] that the world has just taken. Call it once after each step. The energy balance starts
   /// anew after a step without a check, and after begin_again.
   void look(const World<Dof>& world, double h);
@@ -85,6 +89,7 @@ class RunCheck {
   Verdict verdict_;
   std::int64_t last_step_ = -1;
   bool first_ = true;               // first step of the energy balance
+  bool placed_ = false;             // begin_step has noted x_before_
   bool moved_ = false;              // bodies were moved from outside since the last check
   bool had_rows_ = false;           // since the energy balance started
   bool may_dissipate_ = false;      // so far something else than joints could take energy

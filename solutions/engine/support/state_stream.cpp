@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "common/require.hpp"
-
 namespace spook {
 
 void StateStream::bytes(void* data, std::size_t size) {
@@ -21,7 +19,8 @@ void StateStream::require_same(const std::string& name, std::size_t count) {
   std::uint64_t written = count;
   visit(written);
   if (written != count)
-    reject(name, static_cast<double>(count), std::to_string(written) + ", as where the state was written");
+    throw std::invalid_argument(name + " must be " + std::to_string(written) +
+                                ", as where the state was written, but is " + std::to_string(count));
 }
 
 std::uint64_t hash_of(std::string_view bytes) {

@@ -14,6 +14,18 @@ void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
   ++steps_;
+  try {
+    take_step(h);
+  } catch (const SimulationDiverged&) {
+    throw;
+  } catch (...) {
+    --steps_;  // a step that a velocity function or a check ends does not count
+    throw;
+  }
+}
+
+template <int Dof>
+void World<Dof>::take_step(double h) {
   if (settings_.stepper) return step_elsewhere(h);
   impacts_ = 0;
   work_of_drives_ = 0;
@@ -191,9 +203,13 @@ void World<Dof>::set_default_stiffness(double h) {
     mass += bodies_.mass[i];
     load += forces_[i].norm();
   }
-  largest_load_ = std::max(largest_load_, load);
+  load = std::max(largest_load_, load);
   const double of_joints = joint_stiffness(mass, h);
-  materials_.set_stiffness(spook::contact_stiffness(largest_load_, shapes_.smallest, of_joints));
+  const double k = spook::contact_stiffness(load, shapes_.smallest, of_joints);
+  if (!std::isfinite(k) && !contacts_.empty() && shapes_.smallest > 0)
+    reject("sum of all forces", load, "so small that the default k of contacts is finite, or k given");
+  largest_load_ = load;
+  materials_.set_stiffness(k);
   if (joints_.empty()) return;
   double arm = 0;  // squared [m²]
   if constexpr (Dof == 6) {

@@ -213,7 +213,7 @@ class World {
   void set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6);
 
   /// Moves the surface of a static body, and not the body, with a velocity [m/s]: a conveyor belt. Throws as
-  /// set_velocity, but takes a plane.
+  /// set_velocity, but takes a plane, whose velocity must have no part along the normal.
   void set_surface_velocity(int body, const Vec3& v);
 
   /// The same with a velocity that depends on time. A step takes the velocity at its middle, so that positions are of
@@ -237,8 +237,8 @@ class World {
   void take_state_from(const World& other);
 
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
-  /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for another
-  /// number of bodies or joints, and for a world with a stepper; std::runtime_error for a state that ends too early.
+  /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for other
+  /// bodies, joints or settings, and for a world with a stepper; std::runtime_error for a state that ends too early.
   /// engine/support/state_stream.hpp has bytes_of_state(world) and read_state(bytes, world).
   void state(StateStream& s);
 
@@ -254,7 +254,8 @@ class World {
 
   /// Advances the world by `h` [s]. Throws std::invalid_argument unless h is positive and finite. Throws
   /// SimulationDiverged if a body is not finite afterwards, or if the two points of a distance joint coincide or are
-  /// infinitely far apart before.
+  /// infinitely far apart before. A step that another exception ends, such as one of a velocity function, does not
+  /// count in steps(), but may have moved bodies.
   void step(double h);
 
   const Settings<Dof>& settings() const { return settings_; }
@@ -352,6 +353,7 @@ class World {
     double speed;  ///< G W [m/s], negative
   };
 
+  void take_step(double h);
   void step_part(double h);
   void step_softly(double h);
   void find_contacts_on_the_way(double h);

@@ -1,6 +1,8 @@
 // Joints of a world: checks of new joints, and queries.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "common/require.hpp"
 
@@ -84,8 +86,13 @@ void World<Dof>::complete(Joint& joint) const {
     require_positive("k_turn", *joint.k_turn);
     if (joint.limits) {
       const JointLimits& limits = *joint.limits;
-      if (!(limits.lower < limits.upper))
-        reject("upper", limits.upper, "more than lower, which is " + std::to_string(limits.lower));
+      for (const auto& [name, value] : {std::pair("lower", limits.lower), std::pair("upper", limits.upper)})
+        if (std::isnan(value)) reject(name, value, "a number");
+      if (!(limits.lower < limits.upper)) {
+        std::ostringstream lower;
+        lower << limits.lower;
+        reject("upper", limits.upper, "more than lower, which is " + lower.str());
+      }
       if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
       require_not_negative("limit_d", *joint.limit_d);
     }

@@ -1,5 +1,6 @@
 // Static bodies with a velocity: kinematic bodies, which move with it, and conveyor belts, which stay where they are.
 #include <algorithm>
+#include <cmath>
 
 #include "common/require.hpp"
 
@@ -9,7 +10,7 @@ namespace spook {
 template <int Dof>
 std::size_t World<Dof>::static_body(int body) const {
   const std::size_t i = index(body);
-  if (!bodies_.is_fixed(i)) reject("body", body, "a static one");
+  if (!bodies_.is_fixed(i)) reject("body", body, "a static body");
   if (settings_.integrator_order == 4)
     throw std::invalid_argument("integrator_order must be 2 where static bodies have velocities, but is 4");
   return i;
@@ -49,6 +50,9 @@ template <int Dof>
 void World<Dof>::set_surface_velocity(int body, const Vec3& v) {
   static_body(body);
   require_all_finite("v", v);
+  for (const Plane& plane : shapes_.planes)
+    if (plane.body == body && std::abs(plane.n.dot(v)) > 1e-9 * v.norm())
+      reject("part of v along the plane's normal", plane.n.dot(v), "0");
   drive({.body = body, .moves = false}, without_rotation<Dof>(v));
 }
 

@@ -145,7 +145,7 @@ template <int Dof>
 void World<Dof>::exclude_contacts(const std::vector<int>& bodies) {
   for (const int body : bodies) {
     index(body);
-    if (std::count(bodies.begin(), bodies.end(), body) > 1) reject("body", body, "there once");
+    if (std::count(bodies.begin(), bodies.end(), body) > 1) reject("body", body, "listed once");
   }
   if (bodies.size() < 2)
     reject("number of bodies", static_cast<double>(bodies.size()),
@@ -166,7 +166,7 @@ void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
 template <int Dof>
 void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
   const std::size_t i = index(body);
-  if (bodies_.is_fixed(i)) reject("body", body, "one that moves");
+  if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body");
   require_unit_length("q", q.norm());
   require_all_finite("omega", omega);
   if constexpr (Dof == 6) bodies_.orientations.q[i] = q.normalized();
@@ -182,7 +182,7 @@ void World<Dof>::set_wrench(Wrench<Dof> wrench) {
 template <int Dof>
 void World<Dof>::move_fixed(int body, const Vec3& x) {
   const std::size_t i = index(body);
-  if (!bodies_.is_fixed(i)) reject("body", body, "a fixed one");
+  if (!bodies_.is_fixed(i)) reject("body", body, "a static body");
   require_not_a_plane(body);
   require_all_finite("x", x);
   bodies_.x[i] = x;

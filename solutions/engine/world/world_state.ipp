@@ -27,6 +27,31 @@ inline void state_of(StateStream& s, SolveReport& report) {
   s(report.history, report.converged, report.trouble);
 }
 
+/// Returns a hash of what the builder of a world chose and steps do not change: masses, shapes, joints, and settings.
+/// Motors, springs, materials and forces are left out, since a program may set them between steps.
+template <int Dof>
+std::size_t hash_of_build(const World<Dof>& world) {
+  std::string text;
+  StateStream s(&text);
+  const auto add = [&s](auto... values) { s(values...); };
+  const Bodies<Dof>& bodies = world.bodies();
+  const std::vector<Shape> shapes = world.shapes().by_body(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    add(bodies.is_fixed(i), bodies.mass[i], shapes[i].index());
+    if constexpr (Dof == 6) add(bodies.orientations.principal[i]);
+    match(
+        shapes[i], [](const NoShape&) {}, [&](const Sphere& sphere) { add(sphere.radius); },
+        [&](const Capsule& capsule) { add(capsule.radius, capsule.half_length); },
+        [&](const Cuboid& box) { add(box.half_sides); }, [&](const PointSet& set) { add(set.points); });
+  }
+  for (const Plane& plane : world.shapes().planes) add(plane.body);
+  for (const Joint& joint : world.joints())
+    add(joint.kind, joint.i, joint.j, joint.p_i, joint.p_j, joint.length, joint.axis);
+  const Settings<Dof>& settings = world.settings();
+  add(settings.gravity, settings.friction, settings.viscosity, settings.k, settings.d, settings.integrator_order);
+  return hash_of(text);
+}
+
 /// Caches are left out, and rows of soft steps that a step builds before it reads them. The arrays of bodies keep their
 /// places in memory, since others may look at them.
 template <int Dof>
@@ -36,6 +61,7 @@ void World<Dof>::state(StateStream& s) {
   s.require_same("degrees of freedom of a body", Dof);
   s.require_same("number of bodies", bodies_.size());
   s.require_same("number of joints", joints_.size());
+  s.require_same("hash of masses, shapes, joints and settings", hash_of_build(*this));
   Motion<Dof>& motion = bodies_.motion;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     s(bodies_.x[i], motion.W[i], motion.Wf[i], motion.inverse_mass[i]);

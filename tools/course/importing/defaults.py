@@ -6,6 +6,7 @@ from xml.parsers import expat
 
 from errors import BadInput
 from importing.report import Report, attributes, parsed
+from importing.turning import named
 
 _TOP = "main"
 _DEEPEST = 300  # elements: far from where Python's own calls end
@@ -15,7 +16,8 @@ def read(path: Path, report: Report) -> Element:
     """Reads a model, with included files in place."""
     root = _parse(path, "")
     if root.tag != "mujoco":
-        raise BadInput(f"{path}: MJCF begins with <mujoco>, but this with <{root.tag}>")
+        urdf = ": URDF is not read, but MuJoCo converts it to MJCF" if root.tag == "robot" else ""
+        raise BadInput(f"{path}: MJCF begins with <mujoco>, but this with <{root.tag}>{urdf}")
     _include(root, path.parent, report)
     return root
 
@@ -41,8 +43,7 @@ def _include(element: Element, folder: Path, report: Report, depth: int = 0, dee
         place = list(element).index(child)
         element.remove(child)
         if not path.is_file():
-            report.leave_out(f"include of {child.get('file')}: there is no such file", child)
-            continue
+            raise BadInput(f"file of {named(child)} names no file that there is: \"{child.get('file', '')}\"")
         if depth > 20:
             raise BadInput(f"{path}: files include each other without an end")
         included = _parse(path, f"{child.get('file')} ")
@@ -72,7 +73,7 @@ class Defaults:
         """Returns the element with the attributes of its class, or else of its body's class."""
         name = element.get("class") or childclass or _TOP
         if name not in self._classes:
-            raise BadInput(f"class \"{name}\" has no default")
+            raise BadInput(f"class \"{name}\" of {named(element)} has no default")
         whole = Element(element.tag, self._classes[name].get(element.tag, {}) | element.attrib)
         # What is placed anew, is not placed as by default.
         for group in (("quat", "axisangle", "euler", "xyaxes", "zaxis"),):

@@ -1,5 +1,6 @@
 """Converts an MJCF model to a scene file: see solutions/spook/SCENES.md."""
 
+from collections import Counter
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -85,9 +86,18 @@ class SceneWriter:
         pairs = {max(friction, geom.friction) if max(condim, geom.condim) > 1 else 0.0
                  for masks, friction, condim in below
                  for part in self._model.parts for geom in part.geoms if geom.touches(masks)}
+        pairs |= self._frictions_between_bodies()
         if len(pairs) > 1:
             self._report.leave_out(f"all frictions but the largest, {max(pairs):g}")
         return max(pairs, default=0.0)
+
+    def _frictions_between_bodies(self) -> set[float]:
+        """Returns the frictions of pairs of free bodies that may touch."""
+        solids = [part.geoms[0] for part in self._model.parts if self._touches and self._is_solid(part)]
+        kinds = Counter((geom.masks, geom.friction, geom.condim) for geom in solids)
+        return {max(one[1], other[1]) if max(one[2], other[2]) > 1 else 0.0
+                for one in kinds for other in kinds if one != other or kinds[one] > 1
+                if one[0][0] & other[0][1] or other[0][0] & one[0][1]}
 
     def _excluded(self, root: Element) -> list[list[str]]:
         """Pairs of free bodies, by name, whose contacts are excluded; others meet no other body here."""
@@ -191,7 +201,7 @@ class SceneWriter:
 
     def _write_equality(self, equality: Element) -> None:
         whole = self._model.defaults.applied(equality, None)
-        name = f"equality {whole.tag} \"{whole.get('name', '')}\""
+        name = f"equality {whole.tag}" + (f" \"{whole.get('name')}\"" if whole.get("name") else "")
         if whole.get("active", "true") == "false":
             return
         if whole.tag not in ("connect", "weld") or "body1" not in whole.attrib:

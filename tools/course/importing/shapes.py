@@ -8,9 +8,10 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from errors import BadInput
-from importing.turning import matrix, numbers, turn_of, z_to
+from importing.turning import matrix, named, numbers, turn_of, z_to
 
 DENSITY = 1000.0  # [kg/m³], unless given
+_NO_GEOM = ("plane", "mesh", "hfield", "sdf")
 _AROUND = 8  # points on a circle: on two of them a lying cylinder of radius r is r (1 - cos(π/8)) = 0.08 r too low
 
 
@@ -51,9 +52,12 @@ def friction_of(element: Element) -> float:
 
 
 def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None:
-    """Returns a geom; None for planes, and for meshes and height fields, which the engine does not read."""
+    """Returns a geom; None for planes, and for meshes and height fields, which the engine does not read. Raises BadInput
+    for a type that MJCF does not have."""
     kind = element.get("type", "sphere")
     if kind not in _VOLUME:
+        if kind not in _NO_GEOM:
+            raise BadInput(f"type of {named(element)} must be {', '.join([*_VOLUME, *_NO_GEOM])}, but is \"{kind}\"")
         return None
     size = numbers(element, "size") if "size" in element.attrib else np.zeros(3)
     x, R = numbers(element, "pos", 3, "0 0 0"), matrix(turn_of(element, in_degrees, euler_order))
@@ -64,7 +68,8 @@ def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None
         size = np.array([size[0], half] if kind in ("capsule", "cylinder") else [size[0], size[0], half])
     wanted = {"sphere": 1, "capsule": 2, "cylinder": 2}.get(kind, 3)
     if len(size) < wanted or not np.all(size[:wanted] > 0):
-        raise BadInput(f"geom \"{element.get('name', '')}\" of type {kind} must have {wanted} positive sizes")
+        raise BadInput(f"{named(element)} of type {kind} must have {wanted} positive size{'s' if wanted > 1 else ''}, "
+                       f"but has \"{element.get('size', '')}\"")
     size = size[:wanted]
     volume, moments = _VOLUME[kind](size)
     mass = numbers(element, "mass", 1)[0] if "mass" in element.attrib else (

@@ -13,8 +13,8 @@ from errors import BadInput
 from importing.defaults import Defaults
 from importing.replicate import expand
 from importing.report import Report
-from importing.shapes import Geom, geom_of
-from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers, product, turn_of, unit
+from importing.shapes import Geom, condim_of, geom_of
+from importing.turning import IDENTITY, from_matrix, inverse, matrix, named, numbers, product, turn_of, unit
 
 
 @dataclass
@@ -46,15 +46,21 @@ class Part:
     element: Element | None = None
 
     def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
-        """Returns mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
+        """Returns mass, centre [m] and inertia about it, in the world's axes [kg m²]. Raises BadInput for what no body
+        has."""
+        body = named(self.element) if self.element is not None and self.element.get("name") else f"body \"{self.name}\""
         masses = list(self.inertial)
         masses += [(geom.mass, geom.x, geom.R @ np.diag(geom.moments) @ geom.R.T) for geom in self.geoms]
         mass = sum(m for m, _, _ in masses)
         if not mass > 0:
-            raise BadInput(f"body \"{self.name}\" moves, but has no mass: give it a geom with a volume, or an inertial")
+            raise BadInput(f"{body} moves, but has no mass: give it an inertial, or a geom that is no mesh")
         centre = sum(m * x for m, x, _ in masses) / mass
         inertia = sum(I + m * ((x - centre) @ (x - centre) * np.eye(3) - np.outer(x - centre, x - centre))
                       for m, x, I in masses)
+        moments = np.linalg.eigvalsh(inertia)  # in order; each is a sum over two of three squares
+        if not (moments[0] > 0 and moments[2] <= (moments[0] + moments[1]) * (1 + 1e-9)):
+            raise BadInput(f"inertia of {body} must have positive principal moments, none larger than the sum of the other "
+                           f"two, but has {', '.join(f'{moment:g}' for moment in moments)} kg m²")
         return mass, centre, inertia
 
 
@@ -135,7 +141,8 @@ class Model:
         elif stiffness < 0:
             self.report.leave_out("stiffness below 0", joint)
         return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
-                          matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping),
+                          matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1"), f"axis of {named(joint)}"),
+                          self._limits(joint, kind), float(damping),
                           float(stiffness), 0.0 if kind == "ball" else self._from_start(joint, kind, "springref", 1)[0])
 
     def _limits(self, joint: Element, kind: str) -> tuple[float, float] | None:
@@ -148,6 +155,8 @@ class Model:
             self.report.leave_out("limits of ball joints", joint)
             return None
         lower, upper = self._from_start(joint, kind, "range", 2)
+        if not lower < upper:
+            raise BadInput(f"range of {named(joint)} must have the lower bound first, but is \"{joint.get('range')}\"")
         if not lower <= 0 <= upper:
             self.report.stand_in("a joint begins outside its limits: the first steps push it back", joint)
         return float(lower), float(upper)
@@ -167,6 +176,8 @@ class Model:
             whole = self.defaults.applied(element, childclass)
             kind = whole.get("type", "sphere")
             geom = geom_of(whole, self.in_degrees, self.euler_order)
+            if condim_of(whole) > 3:
+                self.report.leave_out("torsional and rolling friction, condim 4 and 6", whole)
             if geom is not None:
                 if given:
                     geom.mass, geom.moments = 0.0, np.zeros(3)
@@ -184,7 +195,10 @@ class Model:
             own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         else:
             own = np.diag(numbers(inertial, "diaginertia", 3))
-        return numbers(inertial, "mass", 1)[0], x + matrix(q) @ numbers(inertial, "pos", 3), R @ own @ R.T
+        mass = numbers(inertial, "mass", 1)[0]
+        if mass < 0:
+            raise BadInput(f"mass of {named(inertial)} must be at least 0, but is \"{inertial.get('mass')}\"")
+        return mass, x + matrix(q) @ numbers(inertial, "pos", 3), R @ own @ R.T
 
     def _placed(self, plane: Element, x: np.ndarray, q: np.ndarray) -> Element:
         """A plane with its place in the world."""

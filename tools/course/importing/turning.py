@@ -41,10 +41,11 @@ def about(axis: np.ndarray, angle: float) -> np.ndarray:
     return np.array([math.cos(angle / 2), *(math.sin(angle / 2) * unit(axis))])
 
 
-def unit(v: np.ndarray) -> np.ndarray:
+def unit(v: np.ndarray, what: str = "a direction") -> np.ndarray:
+    """Returns the vector over its length. Raises BadInput, naming it, if that is 0."""
     length = np.linalg.norm(v)
     if not 0 < length < math.inf:
-        raise BadInput(f"a direction has the length {length:g}")
+        raise BadInput(f"{what} must have a length above 0, but has {length:g}")
     return v / length
 
 
@@ -61,10 +62,10 @@ def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
     """Returns the rotation from quat, axisangle, euler, xyaxes or zaxis; without these the identity."""
     per_unit = math.pi / 180 if in_degrees else 1
     if "quat" in element.attrib:
-        return unit(numbers(element, "quat", 4))
+        return unit(numbers(element, "quat", 4), f"quat of {named(element)}")
     if "axisangle" in element.attrib:
         *axis, angle = numbers(element, "axisangle", 4)
-        return about(np.array(axis), angle * per_unit)
+        return about(unit(np.array(axis), f"axisangle of {named(element)}"), angle * per_unit)
     if "euler" in element.attrib:
         q = IDENTITY
         for axis, angle in zip(euler_order, numbers(element, "euler", 3) * per_unit):
@@ -73,10 +74,12 @@ def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
         return q
     if "xyaxes" in element.attrib:
         both = numbers(element, "xyaxes", 6)
-        x = unit(both[:3])
-        y = unit(both[3:] - (both[3:] @ x) * x)
+        x = unit(both[:3], f"xyaxes of {named(element)}")
+        y = unit(both[3:] - (both[3:] @ x) * x, f"xyaxes of {named(element)}")
         return from_matrix(np.column_stack([x, y, np.cross(x, y)]))
-    return z_to(numbers(element, "zaxis", 3)) if "zaxis" in element.attrib else IDENTITY
+    if "zaxis" not in element.attrib:
+        return IDENTITY
+    return z_to(unit(numbers(element, "zaxis", 3), f"zaxis of {named(element)}"))
 
 
 def numbers(element: Element, name: str, count: int | None = None, default: str | None = None) -> np.ndarray:
@@ -84,20 +87,21 @@ def numbers(element: Element, name: str, count: int | None = None, default: str 
     length."""
     text = element.get(name, default)
     if text is None:
-        raise BadInput(f"{_named(element)} has no {name}")
+        raise BadInput(f"{named(element)} has no {name}")
     try:
         values = np.array([float(word) for word in text.split()])
     except ValueError:
         values = np.array([math.nan])
     if not np.all(np.isfinite(values)) or (count is not None and len(values) != count):
         wanted = "a finite number" if count == 1 else f"{count or 'finite'} numbers"
-        raise BadInput(f"{name} of {_named(element)} must be {wanted}, but is \"{text}\"")
+        raise BadInput(f"{name} of {named(element)} must be {wanted}, but is \"{text}\"")
     if np.any(np.abs(values) > _LARGEST):
-        raise BadInput(f"{name} of {_named(element)} must be at most {_LARGEST:g}, but is \"{text}\"")
+        raise BadInput(f"{name} of {named(element)} must be at most {_LARGEST:g}, but is \"{text}\"")
     return values
 
 
-def _named(element: Element) -> str:
+def named(element: Element) -> str:
+    """Returns an element's name, or its kind, with its place."""
     place = f" ({where(element)})" if where(element) else ""
     one = {"option": "the option", "compiler": "the compiler"}.get(element.tag, f"a {element.tag}")
     return (f"{element.tag} \"{element.get('name')}\"" if element.get("name") else one) + place

@@ -14,8 +14,8 @@ ValueError that names the parameter and its value. A world whose numbers are not
 that is finite and wrong warns once, by a RuntimeWarning, and in its state and reason.
 """
 
+from .arguments import explained  # before _spook, which hides that NumPy is missing
 from ._spook import SimulationDiverged, PointWorld, World, __version__, scenes, solvers
-from .arguments import explained
 from .scene import Run, Scene, scene
 from .sweep import Table, sweep
 

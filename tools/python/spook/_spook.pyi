@@ -23,7 +23,8 @@ class _EitherWorld:
     def set_material(self, body: int, other: int | None = None, *, friction: float | None = None,
                      restitution: float | None = None, k: float | None = None, d: float | None = None) -> None:
         """Sets the material of a body in its contacts, or of a pair of bodies. Default of each value: the world's. For
-        two bodies friction is the geometric mean, restitution the larger, k the softer, d the larger."""
+        two bodies friction is the geometric mean, which is 0 if either is 0. Restitution is the larger, k the smaller,
+        d the larger."""
     def exclude_contacts(self, bodies: Sequence[int]) -> None:
         """Excludes contacts: these bodies do not touch each other from now on. A body may be in several such lists.
         Without a list, bodies on a joint touch as any two bodies do."""
@@ -57,17 +58,21 @@ class _EitherWorld:
         """Moves a static body to another position [m]."""
     def set_surface_velocity(self, body: int, v: Vector) -> None:
         """Sets a velocity of the surface of a static body or plane, which itself does not move [m/s]: a conveyor
-        belt."""
+        belt. The velocity of a plane has no part along its normal."""
     def start_half_step_back(self, h: float) -> None:
         """Sets the velocities back by half a step, under gravity alone. May be called once, before the first step."""
     def start_consistently(self, h: float) -> None:
         """Sets the velocities back by half a step, under gravity and the forces of contacts and joints. May be called
         once, before the first step."""
     def synchronized_velocity(self, body: int, h: float) -> Array:
-        """Returns the velocity at the time of the position, from the one half a step of h before [m/s]."""
+        """Returns the velocity at the time of the position, from the stored one, velocity_lag(h) before [m/s]."""
+    def velocity_lag(self, h: float) -> float:
+        """Returns the time from velocities to positions after a step of h [s]: h/(2 parts), and 0 for an
+        integrator_order of 4."""
     def step(self, h: float, steps: int = 1) -> None:
         """Advances by so many steps of h [s], while other threads of Python run. Raises ValueError for h, and
-        SimulationDiverged. Warns once (RuntimeWarning) when the world is lost."""
+        SimulationDiverged. Warns once (RuntimeWarning) when the world is lost. A step that another exception ends, such
+        as one of a velocity function, does not count in steps, but may have moved bodies."""
     @property
     def time(self) -> float:
         """The time [s]."""
@@ -75,35 +80,40 @@ class _EitherWorld:
     def steps(self) -> int:
         """The number of steps so far."""
     @property
+    def parts(self) -> int:
+        """The number of equal parts of the last step, at most max_parts. Contacts, rows, forces and impulses are those
+        of its last part."""
+    @property
     def masses(self) -> Array:
         """The mass of each body [kg], as a copy; infinite for a static one."""
     @property
     def energy(self) -> dict[str, float]:
-        """The kinetic energy, from velocities half a step behind, the potential energy of gravity, and the energy of
+        """The kinetic energy, from velocities velocity_lag(h) behind, the potential energy of gravity, and the energy of
         springs under the forces of the last step: of contacts, of joints, and on hinges and sliders [J]."""
     @property
     def state(self) -> str:
         """The verdict on all steps so far: "sound", "unsolved" (the solver's error in a step exceeds a hundredth of the
-        right-hand side) or "lost" (the motion is not that of the problem)."""
+        right-hand side) or "lost" (the motion is not that of the problem). A world with check=False is "unchecked"."""
     @property
     def reason(self) -> str:
         """The reason why the state is not "sound"; empty if it is."""
     @property
     def note(self) -> str:
-        """A further note: the first spring that yields by more than a hundredth of a body's size."""
+        """A further note, the first of these: a spring that yields by more than a hundredth of a body's size; a body that
+        passes another within a step; joints that take out energy; a world in which nothing can move."""
     @property
     def x(self) -> Array:
         """Positions, a row for each body [m]. The array is the engine's own and read-only: its numbers change with each
         step. While such an array exists no body can be added."""
     @property
     def v(self) -> Array:
-        """Velocities, half a step before the positions [m/s]; read-only as x."""
+        """Velocities, velocity_lag(h) before the positions [m/s]; read-only as x."""
     def contacts(self) -> dict[str, NDArray[Any]]:
         """Copies of the contacts of the last step: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s],
-        and force [N], on j."""
+        and force [N], on j. Either body may have the smaller index."""
     def joints(self) -> dict[str, Any]:
-        """Copies of the joints: kind, i, j, and the effect on j in the last step: force [N], and in a World torque [N
-        m]. A World has position [rad or m] and speed of hinges and sliders, too; NaN for other joints."""
+        """Copies of the joints: kind, i, j, and the force on j in the last step [N]. A World adds the torque [N m], and
+        position [rad or m] and speed of hinges and sliders; NaN for other joints."""
     def joint_impulse(self, joint: int) -> Array:
         """Returns the impulse of each row of a joint in the last step [N s], as a copy."""
     def joint_force(self, joint: int) -> Array:
@@ -113,10 +123,10 @@ class _EitherWorld:
     def cast_ray(self, origin: Vector, direction: Vector, longest: float = ...) -> dict[str, Any] | None:
         """Returns the first body that a ray enters: body, point [m], outward normal and distance [m]; None if there is
         none within longest [m]. Default: any distance. The direction may have any length above 0. A body that contains
-        the origin is not hit, nor one that the ray only touches."""
+        the origin is not hit, nor one that the ray only touches, nor one of corners."""
     def overlapping(self, centre: Vector, radius: float) -> list[int]:
         """Returns the bodies with a point within a radius [m] of the centre. With a radius of 0 these are the bodies
-        that contain the point."""
+        that contain the point. Bodies of corners, and points, are left out."""
     def report(self) -> dict[str, Any]:
         """Numbers of the last step: pairs, contacts, impacts, rows, iterations, residual [m/s], trouble."""
     def __len__(self) -> int: ...
@@ -136,7 +146,8 @@ class PointWorld(_EitherWorld):
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
         friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
         cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
-        There are impacts only with a restitution, at approach speeds above the threshold [m/s]. solver is one
+        There are impacts only with a restitution, of the world or of a material, at approach speeds above the
+        threshold [m/s]. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4. max_parts is the
         largest number of parts of a step, a power of two. check tests after each step that the run is sound,
@@ -174,7 +185,8 @@ class World(_EitherWorld):
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
         friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
         cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
-        There are impacts only with a restitution, at approach speeds above the threshold [m/s]. solver is one
+        There are impacts only with a restitution, of the world or of a material, at approach speeds above the
+        threshold [m/s]. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4, and rotation
         "splitting", "exponential" or "first_order". max_parts is the largest number of parts of a step, a power
@@ -199,7 +211,8 @@ class World(_EitherWorld):
     def set_velocity_function(self, body: int, v: Callable[[float], Vector],
                               omega: Callable[[float], Vector] | None = None) -> None:
         """Makes a static body kinematic: from now on it moves with velocities that depend on time, v(t) [m/s] and
-        omega(t) [rad/s]. A step uses the velocities at its middle."""
+        omega(t) [rad/s]. A step uses the velocities at its middle. The functions cannot use the world: for a feedback
+        law call set_velocity between steps."""
     def set_keyframes(self, body: int, times: Sequence[float], x: Array, q: Array | None = None) -> None:
         """Makes a static body kinematic, along keyframes. At each of the times [s] its position is a row of x [m], and
         its orientation a row of q (w, x, y, z). Between them its velocity is constant, and it turns about one axis, by
@@ -236,7 +249,7 @@ class World(_EitherWorld):
     def joint_position(self, joint: int) -> float:
         """Returns the angle of a hinge, including its turns [rad], or the shift of a slider [m]."""
     def joint_speed(self, joint: int) -> float:
-        """Returns the rate of the angle or shift, half a step before [rad/s, m/s]."""
+        """Returns the rate of the angle or shift, velocity_lag(h) before the position [rad/s, m/s]."""
     def joint_torque(self, joint: int) -> Array:
         """Returns the torque of a joint on body j in the last step, in addition to its force [N m]."""
     def motor_force(self, joint: int) -> float:

@@ -23,6 +23,17 @@ def explained(kind: type) -> type:
     return kind
 
 
+def step_otherwise(world: Any, arguments: tuple, named: dict[str, Any]) -> None:
+    """Takes steps with arguments that need a conversion, such as whole numbers. Raises TypeError that names a wrong
+    one."""
+    try:
+        world._step(*arguments, **named)
+    except TypeError as error:
+        if "incompatible function arguments" not in str(error):
+            raise
+        raise TypeError(f"step: {_why(str(error), arguments, named)}") from None
+
+
 def by_known_names(function: Callable[P, R]) -> Callable[P, R]:
     """Makes a function of Python say in its TypeError which name is unknown, and which may be meant."""
     wanted = [name for name in inspect.signature(function).parameters if name != "self"]
@@ -45,6 +56,9 @@ def _unknown(name: str, wanted: Iterable[str]) -> str:
 def _explained(function: Callable, name: str) -> Callable:
     @functools.wraps(function)
     def call(*arguments: Any, **named: Any) -> Any:
+        for value in (*arguments[1:], *named.values()):  # NumPy would convert texts in a list to numbers
+            if isinstance(value, (tuple, list)) and any(isinstance(each, str) for each in value):
+                raise TypeError(f"{name}: numbers, got {value!r}")
         try:
             return function(*arguments, **named)
         except TypeError as error:
@@ -89,16 +103,39 @@ def _misfit(kind: str, value: Any) -> str:
     """Returns 'three numbers, got 2'; empty if the value is of this kind, or the kind is not known."""
     if value is None:
         return "" if "None" in kind or "Optional" in kind else f"{_shape(kind) or 'a value'}, got None"
+    for pattern, words, fits in _PLAIN:
+        if re.search(pattern, kind):
+            return "" if fits(value) else f"{words}, got {value!r}"
     wanted = _shape(kind)
     if not wanted:
         return ""
+    if isinstance(value, str):  # NumPy would read a number
+        return f"{wanted}, got {value!r}"
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         return f"{wanted}, got {value!r}"
-    if _fits(kind, array, value):
-        return ""
-    return f"{wanted}, got {_counted(kind, array, value)}"
+    if not _fits(kind, array, value):
+        return f"{wanted}, got {_counted(kind, array, value)}"
+    if wanted == "a whole number" and not -2**31 <= value < 2**31:
+        return f"a whole number that is not so large, got {value!r}"
+    return ""
+
+
+def _is_a_list(value: Any, of: type | tuple) -> bool:
+    return np.iterable(value) and not isinstance(value, str) and all(isinstance(each, of) for each in value)
+
+
+# Kinds in a signature of pybind11 that are no arrays: a pattern, the kind in words, and a test of a value.
+_PLAIN: tuple[tuple[str, str, Callable[[Any], bool]], ...] = (
+    (r"\bPointWorld\b", "a PointWorld", lambda value: type(value).__name__ == "PointWorld"),
+    (r"\bWorld\b", "a World", lambda value: type(value).__name__ == "World"),
+    (r"\bstr\b", "a text", lambda value: isinstance(value, str)),
+    (r"\bbytes\b", "bytes", lambda value: isinstance(value, bytes)),
+    (r"\bbool\b", "True or False", lambda value: isinstance(value, (bool, np.bool_))),
+    (r"\bfunction\b|\bCallable\b", "a function", callable),
+    (r"\b[Ll]ist\[int\]", "a list of whole numbers", lambda value: _is_a_list(value, (int, np.integer))),
+    (r"\b[Ll]ist\[float\]", "a list of numbers", lambda value: _is_a_list(value, (int, float, np.number))))
 
 
 _WORDS = {2: "two", 3: "three", 4: "four"}
@@ -113,13 +150,15 @@ def _sizes(kind: str) -> tuple[int | None, ...] | None:
         return (sizes[0],) if sizes[1] == 1 and sizes[0] else sizes
     if fixed := re.search(r"FixedSize\((\d+)\)|float\[(\d+)\]", kind):
         return (int(fixed[1] or fixed[2]),)
-    return () if re.search(r"\b(float|int|bool|SupportsFloat|SupportsInt)\b", kind) and "ist" not in kind else None
+    return () if re.search(r"\b(float|int|SupportsFloat|SupportsInt)\b", kind) and "ist" not in kind else None
 
 
 def _shape(kind: str) -> str:
+    if plain := next((words for pattern, words, _ in _PLAIN if re.search(pattern, kind)), ""):
+        return plain
     sizes = _sizes(kind)
     if sizes is None:
-        return "a text" if re.search(r"\bstr\b", kind) else ""
+        return ""
     if sizes == ():
         return "a whole number" if re.search(r"\bint\b", kind) else "a number"
     if len(sizes) == 1:
@@ -129,8 +168,6 @@ def _shape(kind: str) -> str:
 
 def _fits(kind: str, array: np.ndarray, value: Any) -> bool:
     sizes = _sizes(kind)
-    if sizes is None:
-        return isinstance(value, str)
     if sizes == () and re.search(r"\bint\b", kind) and not isinstance(value, (int, np.integer)):
         return False
     return array.ndim == len(sizes) and all(size in (None, count) for size, count in zip(sizes, array.shape))

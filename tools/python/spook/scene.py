@@ -32,7 +32,10 @@ class Scene:
     """A scene with its parameters set. `about` has its description, its known answer, and its parameters."""
 
     def __init__(self, name: str, **parameters: Any):
-        """Raises ValueError for an unknown scene or parameter, or an invalid value."""
+        """Raises ValueError for an unknown scene or parameter, or an invalid value; TypeError for a name that is no
+        text."""
+        if not isinstance(name, str):
+            raise TypeError(f"scene: name: a text, got {name!r}")
         self.name = name
         self.about: dict[str, Any] = _spook.describe(name)
         self.parameters = parameters
@@ -85,7 +88,7 @@ def scene(name: str, **parameters: Any) -> Scene:
     return Scene(name, **parameters)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Run:
     """The results of a run. A notebook shows its film."""
 
@@ -94,6 +97,8 @@ class Run:
     error: float  #: against the known answer, in the unit that scene.about["error_unit"] names
     state: str  #: sound, unsolved or lost: says if the run is reliable
     reason: str  #: why, where it is not sound
+    note: str  #: a further note, as that of a World
+    unsolved_steps: int  #: how many steps the solver left unsolved
     h: float  #: [s]
     steps: int
     solver: str
@@ -131,8 +136,8 @@ class Run:
         speed = "" if self.us_per_step is None else f", {self.us_per_step:.3g} µs a step"
         why = f" ({self.reason})" if self.reason else ""
         unit = self.scene.about["error_unit"]
-        return (f"<{self.scene.name}: {self.state}{why}, error {self.error:.3g} {unit}, {self.steps} steps of "
-                f"{self.h:.4g} s{speed}>")
+        error = f", error {self.error:.3g} {unit}".rstrip() if unit else ""  # a file may have no answer
+        return f"<{self.scene.name}: {self.state}{why}{error}, {self.steps} steps of {self.h:.4g} s{speed}>"
 
 
 def _named(values: dict[str, Any]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import html
 import math
 import os
@@ -15,7 +16,8 @@ from . import grid
 from ._spook import SimulationDiverged
 from .scene import OPTIONS, Scene
 
-RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_updates")
+RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_updates", "unsolved_steps", "why", "note")
+_SENTENCES = ("why", "note")  # columns that a printed table leaves out
 
 
 class Table:
@@ -54,22 +56,35 @@ class Table:
         return Table(rows, self._names)
 
     def means(self, over: str = grid.SEED) -> Table:
-        """Returns the mean error over seeds, or another name: `runs`, `mean`, `half_width` for each other combination.
+        """Returns the mean error over seeds, or another name, for each other combination.
 
+        Columns: `runs`, how many of them are `unsolved`, how many `lost` ones are left out, `mean`, `half_width`, and
+        the `order` of the means.
         half_width is that of the 95 % confidence interval of the mean, if errors are normally distributed; NaN for
-        fewer than two runs. Runs without an error are left out. Raises KeyError for a name that is not swept.
+        fewer than two runs. Runs without an error are left out, too. Raises KeyError for a name that is not swept.
         """
         if over not in self._names:
             raise KeyError(f"{over!r} is not swept; swept are: {', '.join(self._names)}")
-        return Table([{**mean.point, "runs": mean.runs, "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width)}
-                      for mean in grid.means(self.rows, self._names, over)])
+        found = grid.means(self.rows, self._names, over)
+        return Table([{**mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
+                       "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width), "order": _or_nan(order)}
+                      for mean, order in zip(found, grid.mean_orders(found))])
+
+    def fits(self) -> Table:
+        """Returns the order by a line through log(error) over log(h), or else d, or else k, for each other combination.
+
+        Columns: `runs`, `order`, and `half_width` of its 95 % confidence interval. All seeds are in one line. Lost runs
+        are left out, and so are combinations with fewer than three values of h.
+        """
+        return Table([{**fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
+                      for fit in grid.fits(self.rows, self._names)])
 
     def to_csv(self, file: str | os.PathLike) -> None:
         """Writes a line of column names and a line for each row. Raises OSError."""
         grid.write_csv(file, self.rows)
 
     def __repr__(self) -> str:
-        lines = [self.columns, *([_short(value) for value in row.values()] for row in self.rows)]
+        lines = self._lines()
         widths = [max(map(len, column)) for column in zip(*lines)]
         table = "\n".join("  ".join(word.rjust(width) for word, width in zip(line, widths)) for line in lines)
         return table + (f"\n{len(self.skipped)} combinations skipped: see skipped" if self.skipped else "")
@@ -78,15 +93,21 @@ class Table:
         def line(words: Iterable[str], tag: str) -> str:
             return "<tr>" + "".join(f"<{tag}>{html.escape(word)}</{tag}>" for word in words) + "</tr>"
 
-        body = "".join(line(map(_short, row.values()), "td") for row in self.rows)
-        return f"<table>{line(self.columns, 'th')}{body}</table>"
+        head, *rows = self._lines()
+        body = "".join(line(row, "td") for row in rows)
+        return f"<table>{line(head, 'th')}{body}</table>"
+
+    def _lines(self) -> list[list[str]]:
+        """Returns the cells of a printed table: its names, and its rows."""
+        shown = [name for name in self.columns if name not in _SENTENCES]
+        return [shown, *([_short(row[name]) for name in shown] for row in self.rows)]
 
 
-def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lists: Any) -> Table:
+def sweep(scene: Scene | str, *, jobs: int | None = None, progress: bool = True, **lists: Any) -> Table:
     """Runs the scene with every combination of the listed values, on all cores, or on so many.
 
-    A name is a parameter of the scene, or else an option of Scene.run; its value a list, or one value. A row has
-    these, and:
+    The scene is a Scene, or a name of scenes(). A name is a parameter of the scene, or else an option of Scene.run; its
+    value a list, or one value. A row has these, and:
 
         h             as a number [s]
         error         against the known answer
@@ -95,10 +116,16 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
         us_per_step   [µs]; while other cores run, more than alone. jobs=1 measures speed
         seconds       the time to compute the run [s]
         row_updates   the same cost on every machine
+        unsolved_steps, why, note   as in a Run: why is its reason
 
     Refused combinations are skipped: the table's `skipped` has them. Raises ValueError, before any run, for a
     value that every combination refuses.
     """
+    if isinstance(scene, str):
+        scene = Scene(scene)
+    if not isinstance(scene, Scene):
+        raise TypeError(f"sweep: scene: a Scene or a name, got {scene!r}")
+    _require_known(scene, lists)
     axes = {name: list(value) if isinstance(value, (list, tuple, range, np.ndarray)) else [value]
             for name, value in lists.items()}
     points = grid.combinations(axes)
@@ -123,6 +150,15 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
     return Table(rows, axes, [{**point, "why": why} for point, why in zip(points, refusals) if why])
 
 
+def _require_known(scene: Scene, names: Iterable[str]) -> None:
+    known = [*scene.about["parameters"], *OPTIONS]
+    for name in names:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            raise ValueError(f"{name} is neither a parameter of {scene.name} nor an option of run; "
+                             + (f"did you mean {near[0]}?" if near else f"there are: {', '.join(known)}"))
+
+
 def _processors() -> int:
     """Returns the number of processors for this process; macOS only reports the total."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -140,13 +176,14 @@ def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any
 
 
 def _row(scene: Scene, options: dict[str, Any]) -> dict[str, Any]:
-    none = dict.fromkeys(RESULTS, math.nan)
+    none = dict.fromkeys(RESULTS, math.nan) | {"why": "", "note": ""}
     try:
         run = scene.run_with(options)
-    except SimulationDiverged:
-        return none | {"state": "blew up"}
+    except SimulationDiverged as diverged:
+        return none | {"h": grid.number(options.get("h", scene.about["h"])), "state": "blew up", "why": str(diverged)}
     return none | {"h": run.h, "error": run.error, "state": run.state, "us_per_step": _or_nan(run.us_per_step),
-                   "seconds": run.seconds, "row_updates": run.row_updates}
+                   "seconds": run.seconds, "row_updates": run.row_updates, "unsolved_steps": run.unsolved_steps,
+                   "why": run.reason, "note": run.note}
 
 
 def _or_nan(number: float | None) -> float:
