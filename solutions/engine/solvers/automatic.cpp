@@ -11,8 +11,7 @@
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
-// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it; once an
-// interior-point attempt has failed, 1e-2 of it suffices.
+// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
 //
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
@@ -165,10 +164,9 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;               // in sweeps
-  static constexpr double share_left = 1e-3, share_enough = 1e-6;  // of the right-hand side
-  // of the approach of moving contacts
-  static constexpr double share_moving = 3e-3, share_moving_suffices = 1e-2, share_may_be_left = 0.1;
+  static constexpr double worth_of_a_solution = 100;                     // in sweeps
+  static constexpr double share_left = 1e-3, share_enough = 1e-6;        // of the right-hand side
+  static constexpr double share_moving = 3e-3, share_may_be_left = 0.1;  // of the approach of moving contacts
 
   /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
@@ -267,8 +265,7 @@ class Automatic {
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    const double suffices = std::max(share_left, share_moving_suffices * part.approach / rhs_norm(part.rows));
-    return solve_on_cones(problem, enough, {.suffices = suffices});
+    return solve_on_cones(problem, enough, {.suffices = share_left});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

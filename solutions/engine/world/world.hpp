@@ -283,7 +283,7 @@ class World {
 
   /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older. Forces
   /// are those at the position; impulses of contacts and joints are half of those in the last step. Throws
-  /// std::invalid_argument unless h is positive.
+  /// std::invalid_argument if h is negative.
   Vec3 synchronized_velocity(int body, double h) const;
 
   /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and the

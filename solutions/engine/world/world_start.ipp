@@ -120,7 +120,7 @@ Twist<Dof> World<Dof>::half_change_by_rows(std::size_t i) const {
 
 template <int Dof>
 Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
-  require_positive("h", h);
+  require_not_negative("h", h);
   const std::size_t i = index(body);
   if (settings_.integrator_order == 4) return v(body);
   Vec3 now = force(i);
@@ -132,7 +132,7 @@ Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
 Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const requires(Dof == 6) {
-  require_positive("h", h);
+  require_not_negative("h", h);
   const std::size_t i = index(body);
   const Vec3 omega = bodies_.motion.W[i].template tail<3>();
   if constexpr (Dof == 6) {
