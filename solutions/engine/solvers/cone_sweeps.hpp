@@ -1,6 +1,6 @@
 #pragma once
-// Sweeps of chapter 09 in a layout of their own: the three rows of a contact on a cone are one block. A sweep reads some
-// 420 bytes of a contact, where the rows of chapter 04 have 720. It reads and writes each velocity once.
+// Sweeps of chapter 09 in a layout of their own: the three rows of a contact on a cone are one block. A sweep reads
+// 360 bytes of a contact, where the rows of chapter 04 have 768. It reads and writes each velocity once.
 //
 //   E, A_i, A_j     linear part of G on j, and angular parts on i and j: a column for n, t1 and t2 each
 //   speed           u = Eᵀ (v_j - v_i) + A_iᵀ ω_i + A_jᵀ ω_j, of all three rows                        Eq. (3.3)
