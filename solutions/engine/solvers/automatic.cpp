@@ -265,7 +265,7 @@ class Automatic {
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, enough, {.suffices = share_left});
+    return solve_on_cones(problem, enough, {.suffices = part.approach > 0 ? 0 : share_left});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

@@ -282,8 +282,8 @@ class World {
   int parts() const { return parts_; }
 
   /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older. Forces
-  /// are those at the position; impulses of contacts and joints are half of those in the last step. Throws
-  /// std::invalid_argument if h is negative.
+  /// are those at the position; impulses of joints are half of those in the last step. If a contact acts on the body,
+  /// it is the stored velocity. Throws std::invalid_argument if h is negative.
   Vec3 synchronized_velocity(int body, double h) const;
 
   /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and the
@@ -377,7 +377,7 @@ class World {
   void shift_to_step(double h);
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
-  Twist<Dof> half_change_by_rows(std::size_t i) const;
+  std::optional<Twist<Dof>> half_change_by_joints(std::size_t i) const;
   ImpactLaw impact_law(const Contact& contact, double h) const;
   void resolve_impacts(double h);
   void set_default_stiffness(double h);

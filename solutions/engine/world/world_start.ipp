@@ -1,4 +1,6 @@
 // Start of a world: velocities half a step behind positions, as leapfrog needs.
+#include <algorithm>
+
 #include "11_direct/direct.hpp"
 #include "common/require.hpp"
 
@@ -110,23 +112,31 @@ void World<Dof>::start_consistently(double h) {
   forget_the_last_step();
 }
 
-/// Half of the change of velocity by the rows of the last step: their forces at the time of the position are not known
-/// before the next step.
+/// Half of the change of velocity by the joints in the last step: their forces at the time of the position are not known
+/// before the next step. Nothing if a contact acts on the body: its impulse may be that of a stop, and afterwards loads
+/// and contact forces cancel, as shift_to_step assumes.
 template <int Dof>
-Twist<Dof> World<Dof>::half_change_by_rows(std::size_t i) const {
-  if (settings_.soft_steps || rows_.empty() || V_.size() != bodies_.size()) return Twist<Dof>::Zero();
-  return V_[i] / 2;
+std::optional<Twist<Dof>> World<Dof>::half_change_by_joints(std::size_t i) const {
+  if (settings_.soft_steps || V_.size() != bodies_.size()) return Twist<Dof>(Twist<Dof>::Zero());
+  const auto acts = [&](const Row<Dof>& row) {
+    return row.lambda != 0 && (row.i == static_cast<int>(i) || row.j == static_cast<int>(i));
+  };
+  const auto contacts = rows_.begin() + static_cast<std::ptrdiff_t>(std::min(first_contact_row_, rows_.size()));
+  if (std::any_of(contacts, rows_.end(), acts)) return {};
+  const bool joined = std::any_of(rows_.begin(), contacts, acts);
+  return joined ? Twist<Dof>(V_[i] / 2) : Twist<Dof>(Twist<Dof>::Zero());
 }
 
 template <int Dof>
 Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
   require_not_negative("h", h);
   const std::size_t i = index(body);
-  if (settings_.integrator_order == 4) return v(body);
+  const auto by_joints = half_change_by_joints(i);
+  if (settings_.integrator_order == 4 || !by_joints) return v(body);
   Vec3 now = force(i);
   if (settings_.wrench && !bodies_.is_fixed(i)) now += settings_.wrench(i, bodies_, time_).template head<3>();
   return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h / parts_) +
-         half_change_by_rows(i).template head<3>();
+         by_joints->template head<3>();
 }
 
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
@@ -136,14 +146,15 @@ Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const require
   const std::size_t i = index(body);
   const Vec3 omega = bodies_.motion.W[i].template tail<3>();
   if constexpr (Dof == 6) {
-    if (settings_.integrator_order == 4) return omega;
+    const auto by_joints = half_change_by_joints(i);
+    if (settings_.integrator_order == 4 || !by_joints) return omega;
     const double lag = velocity_lag(h);
     Vec3 now = omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, lag);
     if (settings_.wrench && !bodies_.is_fixed(i)) {
       const Vec3 torque = settings_.wrench(i, bodies_, time_).template tail<3>();
       now += lag * bodies_.orientations.inverse_inertia(i) * torque;
     }
-    return now + half_change_by_rows(i).template tail<3>();
+    return now + by_joints->template tail<3>();
   }
   return omega;
 }
