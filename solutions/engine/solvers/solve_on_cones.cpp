@@ -23,11 +23,11 @@ class Attempts {
 
   SolveReport solve() {
     problem_.sweep(1);
-    start_ = problem_.impulses();
+    start_ = best_ = problem_.impulses();
     const double first = problem_.residual();
     const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || is_accurate() ||
-                        from_within(infinity) || by_sweeps() || from_within(0.3) || from_within(0.1) ||
-                        from_within(0.03) || by_sweeps();
+                        from_within(infinity) || (is_coarse() && by_sweeps()) || from_within(0.3) ||
+                        from_within(0.1) || from_within(0.03) || by_sweeps();
     if (report_.history.empty()) report_.history.push_back(first);
     report_.converged = solved;
     return std::move(report_);
@@ -54,6 +54,7 @@ class Attempts {
     const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
     if (rule.factorisations <= 0) return false;
     problem_.set_impulses(start_);
+    tried_within_ = true;
     const double enough = part(share == infinity ? share_within : share_lagged);
     if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
     keep(report_.history.back());
@@ -62,7 +63,8 @@ class Attempts {
 
   /// Alternates sweeps and Newton's method, from the best λ so far.
   bool by_sweeps() {
-    constexpr int rounds = 8, sweeps = 20, factorisations = 4;
+    constexpr int sweeps = 20, factorisations = 4;
+    const int rounds = is_coarse() ? 24 : 8;
     for (int round = 0; round < rounds && remaining() > 0; ++round) {
       problem_.sweep(sweeps);
       const std::vector<double> swept = problem_.impulses();
@@ -80,7 +82,11 @@ class Attempts {
     best_ = problem_.impulses();
   }
 
-  bool is_enough() const { return least_ <= part(std::max(share_lagged, effort_.suffices)); }
+  double suffices() const { return part(std::max(share_lagged, effort_.suffices)); }
+  bool is_enough() const { return tried_within_ && least_ <= suffices(); }
+
+  /// Tells whether sweeps reach what is enough sooner than lagged limits do.
+  bool is_coarse() const { return suffices() >= 1e-4 * problem_.asked(); }
 
   /// Returns to the best λ, and tells whether it is enough. The last entry of the history is the residual of λ.
   bool end_with_best() {
@@ -93,7 +99,8 @@ class Attempts {
   double tolerance_;  // [m/s]
   ConeEffort effort_;
   std::vector<double> start_, best_;
-  double least_ = infinity;  // the residual of the best λ after Newton's method [m/s]
+  double least_ = infinity;    // the residual of the best λ after Newton's method [m/s]
+  bool tried_within_ = false;  // if false, the residual shows only that too few factorisations were allowed
   SolveReport report_;
 };
 
