@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "engine/support/did_you_mean.hpp"
 #include "machinery/parts.hpp"
 #include "scenes/number.hpp"
+#include "spook/require_nothing_left.hpp"
 
 namespace spook::plots {
 
@@ -159,21 +159,6 @@ void print_claims(const Claims& claims) {
     if (!claim.holds()) std::cout << ", not from " << short_text(claim.low) << " to " << short_text(claim.high);
     std::cout << '\n';
   }
-}
-
-/// Throws std::invalid_argument for arguments that belong to no option.
-void require_nothing_left(const CLI::App& app) {
-  const std::vector<std::string> left = app.remaining();
-  if (left.empty()) return;
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
-  const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
-  const auto option = std::find_if(left.begin(), left.end(), is_option);
-  if (option == left.end())
-    throw std::invalid_argument("\"" + left.front() + "\" is an extra argument; leave it out");
-  const std::string name = option->substr(0, option->find('='));
-  throw std::invalid_argument("unknown option " + name + did_you_mean(name, names));
 }
 
 int execute(const Experiment& experiment, const Options& options, const std::string& program_file) {

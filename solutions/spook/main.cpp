@@ -8,6 +8,7 @@
 
 #include "engine/support/did_you_mean.hpp"
 #include "spook/play_command.hpp"
+#include "spook/require_nothing_left.hpp"
 #include "spook/run_command.hpp"
 #include "spook/scenes_command.hpp"
 
@@ -74,21 +75,6 @@ static void refuse_short_help(int argc, char** argv) {
     throw std::invalid_argument("-h is not an option: use --help for help, or run's --h for the time step");
 }
 
-/// Throws std::invalid_argument for arguments that belong to no option.
-static void require_nothing_left(const CLI::App& app) {
-  const std::vector<std::string> left = app.remaining();
-  if (left.empty()) return;
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
-  const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
-  const auto option = std::find_if(left.begin(), left.end(), is_option);
-  if (option != left.end())
-    throw std::invalid_argument("unknown option " + option->substr(0, option->find('=')) +
-                                spook::did_you_mean(option->substr(0, option->find('=')), names));
-  throw std::invalid_argument("\"" + left.front() + "\" is an extra argument; leave it out");
-}
-
 static void require_command(const CLI::App& app) {
   if (!app.get_subcommands().empty()) return;
   if (app.remaining().empty())
@@ -104,7 +90,7 @@ static int complain(int status, const std::string& what) {
 }
 
 /// Returns CLI11's message about the number of an option's values in words.
-static std::string told(const CLI::ArgumentMismatch& error) {
+static std::string in_words(const CLI::ArgumentMismatch& error) {
   const std::string what = error.what(), option = what.substr(0, what.find(": "));
   if (what.find(": At Most 1") != std::string::npos) return option + " is given twice: leave one out";
   if (what.find(" missing") != std::string::npos || what.find(": At least") != std::string::npos)
@@ -129,7 +115,7 @@ int main(int argc, char** argv) {
     refuse_short_help(argc, argv);
     app.parse(argc, argv);
     require_command(app);
-    require_nothing_left(*app.get_subcommands().front());
+    spook::require_nothing_left(*app.get_subcommands().front());
     if (app.got_subcommand("run"))
       run.execute(std::cout);
     else if (app.got_subcommand("play"))
@@ -141,7 +127,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ArgumentMismatch& error) {
-    return complain(2, told(error));
+    return complain(2, in_words(error));
   } catch (const CLI::ParseError& error) {
     return complain(2, error.what());
   } catch (const std::invalid_argument& error) {

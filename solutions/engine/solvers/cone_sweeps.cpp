@@ -18,11 +18,11 @@ ConeBlock<Dof> block_of(const FrictionContact& contact, const std::vector<Row<Do
     block.E.col(k) = of[k].Gj.template head<3>();
     block.Ai.col(k) = of[k].Gi.template tail<Dof - 3>();
     block.Aj.col(k) = of[k].Gj.template tail<Dof - 3>();
-    block.S_n[k] = of[k].Gi.dot(of[0].MinvGi) + of[k].Gj.dot(of[0].MinvGj);
     block.B[k] = of[k].B;
     block.Sigma[k] = of[k].Sigma;
     block.lambda[k] = of[k].lambda;
   }
+  for (int k = 1; k < 3; ++k) block.S_tn[k - 1] = of[k].Gi.dot(of->MinvGi) + of[k].Gj.dot(of->MinvGj);
   block.S_nn = of->diagonal;
   block.s = stiffest_direction(of[1], of[2]);
   block.mass_n = 1 / block.S_nn;
@@ -62,8 +62,8 @@ inline double update(ConeBlock<Dof>& block, const std::vector<InverseMass<Dof>>&
 
   const double normal = std::max(before[0] + block.mass_n * r[0], 0.0),
                delta = normal - before[0];  // Eq. (4.7)
-  const Vec2 wanted(before[1] + block.mass_t * (r[1] - block.S_n[1] * delta),
-                    before[2] + block.mass_t * (r[2] - block.S_n[2] * delta));
+  const Vec2 wanted(before[1] + block.mass_t * (r[1] - block.S_tn[0] * delta),
+                    before[2] + block.mass_t * (r[2] - block.S_tn[1] * delta));
   const double limit = block.mu * normal;
   // A contact that sticks needs no square root.
   const bool sticks = wanted.squaredNorm() <= limit * limit;

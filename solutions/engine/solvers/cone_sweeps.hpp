@@ -1,10 +1,10 @@
 #pragma once
 // Sweeps of chapter 09 in a layout of their own: the three rows of a contact on a cone are one block. A sweep reads
-// 360 bytes of a contact, where the rows of chapter 04 have 768. It reads and writes each velocity once.
+// 352 bytes of a contact, where the rows of chapter 04 have 768. It reads and writes each velocity once.
 //
 //   E, A_i, A_j     linear part of G on j, and angular parts on i and j: a column for n, t1 and t2 each
 //   speed           u = Eᵀ (v_j - v_i) + A_iᵀ ω_i + A_jᵀ ω_j, of all three rows                        Eq. (3.3)
-//   normal          Δλ_n by Eq. (4.6), (4.7); then u grows by (S_nn, S_1n, S_2n) Δλ_n, without a look at the bodies
+//   normal          Δλ_n by Eq. (4.6), (4.7); then u_t grows by (S_1n, S_2n) Δλ_n, without a look at the bodies
 //   friction        the nearest λ_t of the disc μ λ_n to λ_t + r_t/s                                   Eq. (9.5), (9.6)
 //   velocities      v changes by ∓E Δλ/m, ω by I⁻¹ A Δλ
 #include "09_better_friction/better_friction.hpp"
@@ -19,7 +19,7 @@ struct ConeBlock {
   int i, j;
   Mat3 E;                 ///< linear parts of G on body j; those on i are opposite
   Angular Ai, Aj;         ///< angular parts of G
-  Vec3 S_n;               ///< (S_nn, S_1n, S_2n), without Σ [1/kg]
+  Vec2 S_tn;              ///< (S_1n, S_2n) [1/kg]
   double S_nn, s;         ///< S_nn with Σ, and s of Eq. (9.5) [1/kg]
   double mass_n, mass_t;  ///< 1/S_nn, 1/s [kg]
   Vec3 B;                 ///< right-hand sides [m/s]

@@ -4,7 +4,8 @@
 //   a sweep          from the current λ: bodies at rest are solved by it
 //   Newton           engine/solvers/cone_newton.hpp, as long as the residual falls
 //   interior point   engine/solvers/cone_interior_point.hpp, with current friction limits
-//   sweeps           alternating with Newton, from the best λ so far; only if 1e-4 of the largest |B| is enough
+//   sweeps           alternating with Newton, from the best λ so far; only if 1e-4 of the largest |B| is enough. Then
+//                    they are cheaper than lagged limits, so there may be 480 of them; else 160
 //   interior point   with lagged friction limits, three times
 //   sweeps           as before
 #include "engine/solvers/cone_problem.hpp"
