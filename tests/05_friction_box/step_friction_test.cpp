@@ -78,10 +78,15 @@ EXERCISE_TEST(StepFriction, HoldsWhatRestsOnASlope) {
   all.gravity = Vec3(3, 0, -9);
   all.k = 1e5;
   all.mu = 0.5;
-  all.bodies = {{.normal = Vec3::UnitZ()}, {.x = Vec3(0, 0, -mass * 9 / all.k), .mass = mass}};
+  all.bodies = {{.normal = Vec3::UnitZ()},
+                {.x = Vec3(0, 0, -mass * 9 / all.k), .mass = mass},
+                {.x = Vec3(0, 0, 1), .mass = mass}};
   const Contact touching{
       .i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = all.bodies[1].x.z(), .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
   step_friction(all, {touching}, h);
+  expect_near("v along the slope of a point mass in the air, after a step [m/s]", "Eq. (1.1)",
+              all.bodies[2].v.x(), 3 * h, {1e-12, "two roundings"}, {},
+              "Nothing touches this one: it takes h g, as all that is free does.");
   expect_near("v along the slope of a point mass that rested, after a step [m/s]", "Eq. (5.3)",
               all.bodies[1].v.x(), 0, {1e-9, "a creep of F/c = 6e-12 m/s, and roundings"},
               {{3 * h,

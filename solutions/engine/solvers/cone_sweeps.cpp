@@ -31,6 +31,11 @@ ConeBlock<Dof> block_of(const FrictionContact& contact, const std::vector<Row<Do
   return block;
 }
 
+/// The larger of two, or NaN if one of them is.
+inline double larger(double a, double b) {
+  return std::isnan(a) || a > b ? a : b;
+}
+
 /// Adds M⁻¹ Gᵀ Δλ of the three rows to V.
 template <int Dof>
 inline void push(const ConeBlock<Dof>& block, const Vec3& delta,
@@ -72,9 +77,7 @@ inline double update(ConeBlock<Dof>& block, const std::vector<InverseMass<Dof>>&
   block.lambda = Vec3(normal, along[0], along[1]);
   const Vec3 change = block.lambda - before;
   push(block, change, inverse_mass, V);
-  const double lacked_n = block.S_nn * std::abs(change[0]),
-               lacked_t = block.s * change.template tail<2>().norm();
-  return std::isnan(lacked_t) || lacked_t > lacked_n ? lacked_t : lacked_n;
+  return larger(block.S_nn * std::abs(change[0]), block.s * change.template tail<2>().norm());
 }
 
 }  // namespace
@@ -99,11 +102,9 @@ ConeSweeps<Dof>::ConeSweeps(const std::vector<FrictionContact>& contacts, std::v
 template <int Dof>
 double ConeSweeps<Dof>::sweep() {
   double largest = 0;
-  const auto note = [&](double lacked) {
-    if (std::isnan(lacked) || lacked > largest) largest = lacked;
-  };
-  for (const std::size_t k : others_) note(rows_[k].diagonal * std::abs(update_row(rows_[k], V_)));
-  for (ConeBlock<Dof>& block : blocks_) note(update(block, inverse_mass_, V_));
+  for (const std::size_t k : others_)
+    largest = larger(largest, rows_[k].diagonal * std::abs(update_row(rows_[k], V_)));
+  for (ConeBlock<Dof>& block : blocks_) largest = larger(largest, update(block, inverse_mass_, V_));
   return largest;
 }
 
