@@ -3,6 +3,7 @@
     sudo python3 tools/bare_machine.py trixie                     # or bookworm, jammy, noble: what debootstrap knows
     sudo python3 tools/bare_machine.py trixie --compiler clang
     sudo python3 tools/bare_machine.py trixie --only start        # without the tests
+    sudo python3 tools/bare_machine.py bookworm --only container  # what .devcontainer runs, as its user does
 
 Makes the machine with debootstrap, clones what is committed into it, and runs `./course start`, `./course test` and
 `./course test --all` there, in namespaces of their own. Prints how long each took and whether it held. Exit code 1 if
@@ -11,7 +12,9 @@ one did not.
 
 import argparse
 import contextlib
+import json
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -28,6 +31,7 @@ from process import stream, tail  # noqa: E402
 
 UBUNTU = {"jammy", "noble"}  # most of what the course needs is in a section of its own there
 COMPILERS = {"gcc": ("", ""), "clang": (",clang", "CXX=clang++")}  # what is there beside git; what CMake is told
+CONTAINER = ROOT / ".devcontainer" / "devcontainer.json"
 COMMANDS = {"start": "./course start", "test": "./course test --yes", "all": "./course test --all --yes"}
 # Mounts that nobody else sees, and that are gone with the last process. The machine's folder becomes the root, and not
 # by chroot, in which the kernel refuses namespaces to those who would isolate submissions.
@@ -43,6 +47,15 @@ def make(release: str, compiler: str, folder: Path, log: Path) -> None:
     _do(["git", "clone", "--quiet", "--no-hardlinks", str(ROOT), str(folder / "course")], log)
     # debootstrap names no hosts; an installed system does, and who drives a browser asks for this one.
     (folder / "etc" / "hosts").write_text("127.0.0.1 localhost\n::1 localhost\n", encoding="utf-8")
+
+
+def of_container() -> str:
+    """Returns a command that does what makes a container, as a user who becomes root by sudo alone."""
+    steps = json.loads(CONTAINER.read_text(encoding="utf-8"))
+    as_user = " && ".join(["cd /course", steps["onCreateCommand"], steps["postCreateCommand"]])
+    return ("apt-get update -qq && apt-get install -yqq --no-install-recommends sudo && useradd --create-home vscode && "
+            "echo 'vscode ALL=(ALL) NOPASSWD: ALL' > /etc/sudoers.d/vscode && chown -R vscode /course && "
+            f"su vscode -c {shlex.quote(as_user)}")
 
 
 def run(command: str, compiler: str, folder: Path, log: Path) -> int:
@@ -75,7 +88,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("release", help="a release that debootstrap knows, such as trixie")
     parser.add_argument("--compiler", choices=COMPILERS, default="gcc")
-    parser.add_argument("--only", choices=COMMANDS, help="one of the commands")
+    parser.add_argument("--only", choices=[*COMMANDS, "container"], help="one of the commands, or the container's")
     parser.add_argument("--folder", type=Path, default=Path("/var/tmp"), help="where the machine is made")
     parser.add_argument("--keep", action="store_true", help="leave the machine there")
     options = parser.parse_args(words)
@@ -112,8 +125,8 @@ def main(words: list[str]) -> int:
         commit = _commit(folder / "course")
         for name in [options.only] if options.only else COMMANDS:
             started = time.monotonic()
-            code = run(COMMANDS[name], options.compiler, folder, logs / f"{name}.log")
-            rows.append((COMMANDS[name], code, time.monotonic() - started))
+            code = run(COMMANDS.get(name) or of_container(), options.compiler, folder, logs / f"{name}.log")
+            rows.append((COMMANDS.get(name, "the container"), code, time.monotonic() - started))
     print(f"\n{_report(options.release, options.compiler, commit, rows)}\n  logs in {shown(logs)}")
     return 0 if all(code == 0 for _, code, _ in rows) else 1
 

@@ -134,6 +134,8 @@ class CourseInput(unittest.TestCase):
 
     def test_a_path_that_leads_to_no_exercise_is_refused(self):
         for words, *told in ((["check", "chapters/01_leapfrog/kik.cpp"], "kik.cpp'", "did you mean kick?"),
+                             (["check", "chapters/01_leapfrg"], "01_leapfrg'", "did you mean 01_leapfrog?"),
+                             (["check", "chapters/01_leapfrg/"], "01_leapfrg/'", "did you mean 01_leapfrog?"),
                              (["check", "chapters/01_leapfrog/leapfrog.hpp"], "leapfrog.hpp'"),
                              (["check", "/"], "'/'"), (["hint", "chapters/01_leapfrog/"], "is a chapter", "1.1 to"),
                              (["predict", "chapters/01_leapfrog/kick.cpp"], "is not a chapter")):

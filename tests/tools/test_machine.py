@@ -15,8 +15,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from sandbox import ROOT, Sandbox, all_exercises
+from sandbox import ROOT, TOOLS, Sandbox, all_exercises
 
+sys.path.append(str(TOOLS))
+
+import bare_machine
 import diagnostics
 import everything
 import install
@@ -28,6 +31,7 @@ import symbols
 import trial
 from arguments import parse
 from errors import CourseError
+from exporting.export import export
 from grading.grade import grade
 from needs import BOOK_NEEDS, NEEDS, VIEW_NEEDS
 from trial import run_limited
@@ -170,10 +174,10 @@ class MacParts(unittest.TestCase):
 
 
     def test_what_needs_linux_says_so_in_one_line(self):
-        for words in (["grade", "."], ["test", "--all"]):
-            with self.assertRaises(CourseError) as caught:
-                arguments = parse(words)
-                grade(arguments) if words[0] == "grade" else everything.test(arguments)
+        for command, *words in ((grade, "grade", "."), (everything.test, "test", "--all"), (export, "export", "weights"),
+                                (export, "export", "students", "--out", "/tmp/nowhere")):
+            with self.subTest(words), self.assertRaises(CourseError) as caught:
+                command(parse(words))
             self.assertIn("needs Linux", str(caught.exception))
 
     def test_what_is_compiled_is_tested_and_the_rest_is_named(self):
@@ -346,6 +350,13 @@ class Command(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
             self.assertIn("WSL", done.stderr)
 
+    def test_windows_own_shell_is_told_the_same(self):
+        script = (ROOT / "course.cmd").read_bytes().decode("ascii")
+        told = re.search(r"echo '(course: this is Windows.*)' >&2", (ROOT / "course").read_text(encoding="utf-8"))[1]
+        self.assertIn(f"echo {told} 1>&2\n", script.replace("\r\n", "\n"))
+        self.assertNotRegex(told, r"[&|<>^%\"]")  # what cmd does not print as it stands
+        self.assertTrue(script.replace("\r\n", "\n").endswith("exit /b 1\n"))
+
     def test_a_mac_s_python_is_too_old_and_homebrew_has_a_newer_one(self):
         fake = Fake(self)
         fake.program("uname", "#!/bin/sh\necho Darwin\n")
@@ -387,6 +398,8 @@ class Container(unittest.TestCase):
         told = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
         self.assertEqual(told["onCreateCommand"], "./course start --yes")
         self.assertIn("clangd gdb", told["postCreateCommand"])  # as CONTRIBUTING.md has it for editors
+        for step in ("onCreateCommand", "postCreateCommand"):
+            self.assertIn(told[step], bare_machine.of_container())
         wanted = json.loads((ROOT / ".vscode" / "extensions.json").read_text(encoding="utf-8"))["recommendations"]
         self.assertEqual(told["customizations"]["vscode"]["extensions"], wanted)
 

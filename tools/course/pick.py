@@ -60,6 +60,7 @@ def _find(text: str) -> Chapter | Exercise:
     if meant := _by_path(text, chapters):
         return meant
     known = [exercise.function for chapter in chapters for exercise in chapter.exercises]
+    known += [chapter.folder for chapter in chapters]
     raise BadInput(f"{text!r} is neither a chapter (4) nor an exercise (4.2){near(Path(text).stem or text, known)}")
 
 

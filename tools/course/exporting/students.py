@@ -15,6 +15,7 @@ from pathlib import Path, PurePosixPath
 
 from errors import BadInput, CourseError
 from files import course_files
+from machine import require_linux
 from manifest import Chapter, read_chapters
 from paths import ROOT, shown
 from reset import stub_of
@@ -44,6 +45,7 @@ instructor, who can add another machine's objects.
 
 
 def write_repository(arguments) -> list[Path]:
+    require_linux("./course export students")  # it takes objects apart
     if not arguments.out:
         raise BadInput("export: students needs --out DIR, the folder of the repository")
     out = Path(arguments.out)
