@@ -7,7 +7,7 @@
 //   target       u'·n = -e u·n,  and u'_t = 0 if it sticks                        Eq. (7.2)    notes (1), (2)
 //   stick        J = K⁻¹ (u' - u)                                                 Eq. (7.3)    notes, before (3)
 //   cone         |J_t| <= μ J_n                                                   Eq. (7.4)    notes (3)
-//   slide        j = -(1+e) u·n / (n·K(n - μt)),  J = j n - μ j t                 Eq. (7.5)    notes (4), (5)
+//   slide        J_n = -(1+e) u·n / (n·K(n - μt)),  J = J_n n - μ J_n t           Eq. (7.5)    notes (4), (5)
 //   work         ΔE = J·(u + ½ K J)                                               Eq. (7.6)    not in the notes
 //   safe         J = (1+e) P + κ (Q - P)                                          Eq. (7.7)    not in the notes
 //                P = -u·n/(n·Kn) n,  Q = -K⁻¹ u

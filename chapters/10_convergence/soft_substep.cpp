@@ -1,5 +1,6 @@
 #include "10_convergence/convergence.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -93,7 +93,8 @@ SceneDescription stiff_wire() {
       .summary = "A wire with a heavy load is released at an angle, and swings.",
       .answer =
           "Links keep their length, and energy does not grow. With steps above 2/ω, ω = √(4 T/(m l)), every "
-          "solver loses it, exact ones, too; but not \"stiff\", which has the tension's stiffness in M.",
+          "solver loses it, exact ones, too; but not geometric_stiffness, which has the tension's stiffness in "
+          "M.",
       .error_name = "largest error of any link's length so far over that length",
       .error_unit = "relative",
       .parameters = {parameter::links(100),

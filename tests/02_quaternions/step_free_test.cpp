@@ -169,6 +169,22 @@ EXERCISE_TEST(StepFree, FallsExactlyAndKeepsAngularMomentum) {
                   "It does not turn.");
 }
 
+// The motion of a top that also falls, against Runge-Kutta steps of its quaternion.
+EXERCISE_TEST(StepFree, IsOfSecondOrderOnATop) {
+  const Top start{Vec3(2, 3, 4), Quat(0.5, 0.5, -0.5, 0.5), Vec3(0.5, 1, 0.7)};
+  const double time = 5;
+  const Top end = true_motion(start, time, 4000);  // whose own error is (h ω)⁴, some 1e-11
+  const auto error = [&](double h) {
+    Simulation all;
+    all.bodies = {{.q = start.q, .omega = start.omega, .mass = 2, .principal = start.principal}};
+    for (int k = 0; k < std::lround(time / h); ++k) step_free(all, h);
+    return distance({start.principal, all.bodies[0].q, all.bodies[0].omega}, end);
+  };
+  expect_second_order(
+      "a top that falls, error of q and ω at t = 5 s", "Eq. (2.11)", error, 0.05, 1e-10,
+      "Order 1: a body with three moments turns by free_rotation. Order 0: it does not turn with h.");
+}
+
 EXERCISE_TEST(StepFree, RejectsAStepThatIsNotPositive) {
   Random random;
   Simulation all = bodies_of_all_kinds(random, 4);

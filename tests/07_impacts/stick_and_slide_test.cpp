@@ -206,13 +206,13 @@ EXERCISE_TEST(SlidingImpulse, OfASphereByHand) {
       {{Vec3(1.35, 1.8, 9), "This pushes along the slip. Friction opposes the slip: n - μt."},
        {Vec3(-0.9, -1.2, 6), "1 + e is missing: this is for e = 0."},
        {Vec3(-0.45, -0.6, 3), "This is for e instead of 1 + e: the approach must be stopped, too."},
-       {Vec3(0, 0, 9), "The friction, -μ j t, is missing."},
-       {Vec3(-5.4, -7.2, 9), "μ is missing in the friction, -μ j t."},
+       {Vec3(0, 0, 9), "The friction, -μ J_n t, is missing."},
+       {Vec3(-5.4, -7.2, 9), "μ is missing in the friction, -μ J_n t."},
        {Vec3(-6.75, -9, 9),
         "t is a direction: divide u_t by its length. The friction does not depend on |u_t|."},
        {Vec3(-1.35, -1.8, 9) / 9, "This has been multiplied by n·K(n - μt): it is an inverse mass, divide."},
        {Vec3(1.35, 1.8, -9), "This is the impulse on i, or the sign of u·n: J pushes j along +n."}},
-      "j = -(1+e) u·n / (n·K(n - μt)), then J = j n - μ j t.");
+      "J_n = -(1+e) u·n / (n·K(n - μt)), then J = J_n n - μ J_n t.");
 }
 
 EXERCISE_TEST(SlidingImpulse, HasTheRestitutionWhateverK) {
@@ -255,9 +255,9 @@ EXERCISE_TEST(SlidingImpulse, IsOnTheEdgeOfTheConeAgainstTheSlip) {
     expect_near_vector("J_t over J_n of two boxes that slide, against -μt", "Eq. (7.4), (7.5)", Vec3(J_t / J_n),
                        -mu * t, roundings(64 * impact.condition(), (1 + mu) * u.norm() / impact.slip().norm()),
                        {{mu * t, "This pushes along the slip. Friction opposes the slip: n - μt."},
-                        {-t, "μ is missing in the friction, -μ j t."},
+                        {-t, "μ is missing in the friction, -μ J_n t."},
                         {-mu * impact.slip(), "t is a direction: divide u_t by its length."},
-                        {Vec3::Zero(), "The friction, -μ j t, is missing."}},
+                        {Vec3::Zero(), "The friction, -μ J_n t, is missing."}},
                        "A contact that slides has the largest friction, |J_t| = μ J_n, against the slip.");
   }
 }

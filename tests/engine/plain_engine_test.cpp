@@ -129,6 +129,38 @@ TEST(PlainEngine, AgreesWithTheFastEngineOnMechanisms) {
   }
 }
 
+/// The step of every scene: it is refused with its reason, or its first steps are those of the fast engine. Enough
+/// sweeps solve the rows of the wall. After 50 of them roundings decide which of its contacts are open.
+TEST(PlainEngine, RunsEverySceneOrSaysWhyNot) {
+  std::vector<std::string> refused;
+  for (const SceneDescription& description : scenes()) {
+    Method method = method_of(description, Engine::plain);
+    method.solver_limits = {.max_sweeps = 5000};
+    const Parameters parameters = with(description, {});
+    const auto plain = description.build(parameters, method);
+    try {
+      plain_step_of(*plain, method);
+    } catch (const std::invalid_argument& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("engine plain cannot run a scene with "))
+          << error.what();
+      refused.push_back(description.name);
+      continue;
+    }
+    method.engine = Engine::fast;
+    const auto fast = description.build(parameters, method);
+    plain->advance(5);
+    fast->advance(5);
+    const std::vector<double> a = numbers(plain->frame()), b = numbers(fast->frame());
+    double apart = 0, size = 0;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      apart = largest(apart, std::abs(a[k] - b[k]));
+      size = largest(size, std::abs(b[k]));
+    }
+    EXPECT_LE(apart, 1e-9 * size) << description.name << " by " << plain_step_of(*plain, method);
+  }
+  EXPECT_EQ(refused, (std::vector<std::string>{"pile", "andrews"}));
+}
+
 /// At rest the impulses of the last step solve the next one.
 TEST(PlainEngine, KeepsTheImpulsesOfAWarmStart) {
   const SceneDescription& description = find_scene("stack");

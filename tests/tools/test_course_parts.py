@@ -161,6 +161,7 @@ class Next(unittest.TestCase):
         self.three = board.all_exercises()[:3]
         for module, name, value in ((last_verdicts.remembered, "STATE", self.state),
                                     (board, "all_exercises", lambda: self.three),
+                                    (board, "own_step", lambda folder: ""),  # whose exercise is not one of the three
                                     (check, "all_exercises", lambda: self.three)):
             patch = mock.patch.object(module, name, value)
             patch.start()
@@ -220,6 +221,18 @@ class Next(unittest.TestCase):
         told = said(second.id)
         self.assertNotIn("See it move", told)
         self.assertIn(f"Next: {first.label}, which is wrong", told)
+
+
+class Milestone(unittest.TestCase):
+    def test_an_own_step_is_offered_by_its_exercise_as_long_as_that_is_a_stub(self):
+        for folder, begun, told in (("01_leapfrog", True, "By a step of your own:\n  ./course view orbit"),
+                                    ("07_impacts", False, "By a step of your own, once you have 7.9 step_impacts:\n"),
+                                    ("12_stiff_wires", False, "By a step of your own, once you have 9.9 step_rows:\n"),
+                                    ("12_stiff_wires", True, "By a step of your own:\n  ./course view stiff_wire")):
+            with self.subTest(folder), mock.patch.object(board.Exercise, "started", lambda _: begun), \
+                 contextlib.redirect_stdout(io.StringIO()) as text:
+                board.show_milestone(folder)
+            self.assertIn(told, text.getvalue())
 
 
 class Causes(unittest.TestCase):

@@ -1,7 +1,10 @@
 """The course command with the engine: run, scenes, --mine, plot, start."""
 
+import base64
 import csv
+import gzip
 import json
+import re
 import shutil
 import subprocess
 import unittest
@@ -85,6 +88,13 @@ class CourseRun(unittest.TestCase):
             self.assertGreater(error, 0.1)  # it hangs in the air
             self.assertIn("Yours, right or wrong: 1.4; the rest is the reference.", said)
             self.assertLess(self.run_free_fall("--mine")[0], 1e-9)  # the fast engine has a step of its own
+            page = self.box.root / "fall.html"
+            result = self.box.course("view", "free_fall", "--engine", "mine", "--out", str(page))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("Yours, right or wrong: 1.4", result.stderr)
+            packed = re.search(r'data-recording="">([^<]+)', page.read_text(encoding="utf-8"))[1]
+            header = json.loads(gzip.decompress(base64.b64decode(packed)).splitlines()[0])
+            self.assertEqual((header["method"]["engine"], header["mine"]), ("plain", ["leapfrog_step"]))
         finally:
             self.box.restore(step)
 
@@ -214,6 +224,20 @@ class CourseRun(unittest.TestCase):
             self.assertGreaterEqual(len(errors), 2)
             for error in errors:
                 self.assertAlmostEqual(error, right, delta=1e-6)
+
+    def test_plot_draws_an_engine_of_ones_own_beside_the_other(self):
+        step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")
+        self.addCleanup(self.box.restore, step)
+        self.box.solve(step)
+        said = self.plot("work_precision", "--quick", "--engine", "mine", "--", "--scene", "oscillator", "--h", "1/30,1/60")
+        self.assertIn("Yours, right or wrong: 1.4", said)
+        with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        errors = {engine: [float(row["error"]) for row in rows if ("plain" in row["line"]) == (engine == "plain")]
+                  for engine in ("fast", "plain")}
+        self.assertGreaterEqual(len(errors["plain"]), 2)
+        for fast, plain in zip(errors["fast"], errors["plain"]):
+            self.assertAlmostEqual(fast, plain, delta=1e-9)  # roundings: both are leapfrog
 
     def test_plot_in_shards_gives_the_same_table(self):
         folder = self.box.root / "build/plots/energy"

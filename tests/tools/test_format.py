@@ -42,6 +42,8 @@ class Format(unittest.TestCase):
             with self.subTest(str(name)):
                 if not name.name.endswith("Makefile"):  # whose recipes begin with one
                     self.assertNotIn(b"\t", content, "a tab")
+                if name.suffix == ".cmd":  # which Windows reads
+                    content = content.replace(b"\r\n", b"\n")
                 self.assertNotIn(b"\r", content, "a carriage return")
                 self.assertIsNone(re.search(rb"[ ]$", content, re.MULTILINE), "a space at the end of a line")
                 self.assertTrue(content.endswith(b"\n"), "no newline at the end")

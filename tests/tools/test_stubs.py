@@ -82,12 +82,14 @@ class Stubs(unittest.TestCase):
                 self.assertEqual(said, "")
 
     def test_each_includes_what_it_needs(self):
-        """They are compiled together here, so that one would not miss what another includes."""
+        """They are compiled together here, so that one would not miss what another includes. What its answer rejects, a
+        stub can reject, too."""
         for folder, stubs in self.chapters.items():
             header = next((ROOT / "chapters" / folder).glob("*.hpp")).name
             for stub in stubs:
                 with self.subTest(stub.label):
-                    for name in (f"{folder}/{header}", "common/not_implemented.hpp"):
+                    rejects = "common/require.hpp" in stub.reference.read_text(encoding="utf-8")
+                    for name in (f"{folder}/{header}", "common/not_implemented.hpp", *["common/require.hpp"] * rejects):
                         self.assertIn(f'#include "{name}"\n', stub.source())
 
     def test_they_pass_nothing(self):

@@ -92,12 +92,19 @@ def show_milestone(folder: str) -> None:
     for command in commands:
         print(f"  {command}")
     if command := own_step(folder):
-        print("  By a step of your own:")
+        step = _step_of(folder)
+        print("  By a step of your own:" if step.started() else f"  By a step of your own, once you have {step.label}:")
         print(f"  {command}")
     left_out = [exercise.id for exercise in all_exercises()
                 if exercise.folder == folder and exercise.function in not_shown(folder)]
     if left_out:
         print(fold(f"No scene calls {', '.join(left_out)}; ./course try does, such as ./course try {left_out[0]}.", "  "))
+
+
+def _step_of(folder: str) -> Exercise:
+    """Returns the exercise whose step `--engine mine` runs after this chapter: its own, or that of a chapter before."""
+    return [exercise for exercise in all_exercises()
+            if exercise.folder <= folder and (exercise.function.startswith("step_") or exercise.id == "1.4")][-1]
 
 
 def board_line(verdict: Verdict) -> str:
