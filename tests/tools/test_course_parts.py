@@ -20,6 +20,7 @@ import diagnostics
 import everything
 import install
 import last_verdicts
+import mine
 import needs
 import speed_error
 import terminal
@@ -233,6 +234,15 @@ class Milestone(unittest.TestCase):
                  contextlib.redirect_stdout(io.StringIO()) as text:
                 board.show_milestone(folder)
             self.assertIn(told, text.getvalue())
+
+
+class Mine(unittest.TestCase):
+    def test_many_functions_are_named_by_the_first_and_the_last_in_a_row(self):
+        chapter = [exercise for exercise in board.all_exercises() if exercise.folder < "03"]
+        self.assertEqual(mine.told(chapter), f"Yours, right or wrong: 1.1 to {chapter[-1].id}; the rest is the reference.")
+        some = [chapter[k] for k in (0, 1, 3, 4, 5)]
+        self.assertIn("1.1, 1.2, 1.4 to 2.1;", mine.told(some))
+        self.assertIn("Yours, too, but not called: 1.2, 1.4 to 2.1.", mine.told(some, {some[0].function}))
 
 
 class Causes(unittest.TestCase):

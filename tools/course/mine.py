@@ -1,5 +1,6 @@
 """--mine: programs of the engine with the student's finished functions in place of the reference's."""
 
+import itertools
 import json
 import re
 from pathlib import Path
@@ -40,7 +41,14 @@ def told(mine: list[Exercise], called: set[str] | None = None) -> str:
 
 
 def _listed(exercises: list[Exercise]) -> str:
-    return ", ".join(exercise.id for exercise in exercises)
+    """Names exercises, in their order; three or more in a row as "1.1 to 2.7"."""
+    order = {exercise.id: place for place, exercise in enumerate(all_exercises())}
+    places = sorted((order[exercise.id], exercise.id) for exercise in exercises)
+    said = []
+    for _, run in itertools.groupby(enumerate(places), lambda item: item[1][0] - item[0]):
+        ids = [exercise_id for _, (_, exercise_id) in run]
+        said += [f"{ids[0]} to {ids[-1]}"] if len(ids) > 2 else ids
+    return ", ".join(said)
 
 
 def signed(line: str, mine: list[Exercise]) -> str:
