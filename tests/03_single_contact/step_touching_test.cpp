@@ -85,7 +85,7 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
       floor.v = floor.omega = Vec3::Zero();
       all.bodies[2 - held].v = (held == 2 ? -3 : 3) * contact.n;
     }
-    const double h = 0.1;
+    const double h = 0.1, b = spook_parameters(h, all.k, all.d).b;
     Simulation got = all, free = all, left_alone = touched(all, contact, h);
     step_touching(got, contact, h);
     step_free(free, h);
@@ -103,6 +103,8 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
           "The bodies move before the contact is solved: use the gap and the velocities before the move."},
          {touched(all, contact, h, {.kicks_before = true}),
           "Gravity counts twice: the bodies are kicked before λ is computed, and step_free kicks them again."},
+         {touched(all, contact, h, {.W_f_i = 1 + b, .W_f_j = 1 + b}),
+          "λ counts gravity twice: G W is of t_n - h/2, before the kick of this step, which G W_f adds."},
          {touched(all, contact, h, {.W_f_i = 0, .W_f_j = 0}),
           on_static ? "Either W_f is missing, or the static body has one, too. No force moves that."
                     : "W_f is missing: the contact does not know what the forces of this step will add."},

@@ -35,6 +35,15 @@ EXERCISE_TEST(ResolveImpacts, TakesTheMassesOfBoth) {
        {numbers({3, 0.75}), "Only ball j has changed: i gets -J."},
        {numbers({-2.25, -1}), "Only ball i has changed: j gets J."}},
       "J = (1+e) 4 m/s / (1/m_i + 1/m_j) = 10.5 N s: 10.5/2 m/s less, and 10.5/6 m/s more.");
+  Motion<3> plastic = row_of_balls({3, -1}, {2, 6});
+  resolve_impacts(contacts_of_row(2), {.restitution = 0, .friction = 0.25}, plastic);
+  expect_near_vector(
+      "velocities of the same balls, e = 0 [m/s]", "Eq. (7.2), (7.9)", speeds(plastic), after(6),
+      roundings(32, 4),
+      {{after(0),
+        "Nothing has happened. With e = 0 an impact ends the approach, too. Only step_impacts has "
+        "no stage of impacts for a restitution of 0."}},
+      "J = 4 m/s / (1/m_i + 1/m_j) = 6 N s, after which both balls are at rest.");
 }
 
 // u = (-3, 0, -1.5) m/s, u·n = -3 m/s, u_t = (-1, -1, 0.5) m/s, and 1/(1/m_i + 1/m_j) = 1.5 kg. The arms are long.

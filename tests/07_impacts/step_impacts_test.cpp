@@ -107,6 +107,9 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
           "The impacts change no ω. Copy both halves of motion.W to the bodies, v and ω."},
          {assembled(late, contacts, h),
           "The bodies have got W + W_f/2. That is for Eq. (7.1) only: W stays at t_n - h/2."},
+         {assembled(bounced, {}, h),
+          "After the impacts no contact has its rows. All contacts of the list have them, those that bounced, "
+          "too."},
          {assembled(after_impacts(all, closed, h, law), contacts, h),
           "Contacts with a gap above 0 have no impacts. resolve_impacts takes all of them, whatever their "
           "gap."},

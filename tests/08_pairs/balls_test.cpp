@@ -38,6 +38,9 @@ EXERCISE_TEST(PlaneBall, PressesIntoTheFloor) {
        {Vec3(4, 5, 0.95), "This is the middle of the overlap. Against a plane p is the ball's deepest point."},
        {Vec3(4, 5, 1.9), "This is the ball's highest point: p is R below its centre, against n."},
        {Vec3(6, 8, -4.1), "r_i is a lever arm, from the centre of the plane's body to p: p - x_i."},
+       {Vec3(6, 8, -5.1),
+        "r_i begins at a point of the plane. It is a lever arm, from the centre of the plane's body to p: p - "
+        "x_i."},
        {Vec3(4, 5, 1.4), "This is the ball's centre. p is R from it, against n."}});
 }
 

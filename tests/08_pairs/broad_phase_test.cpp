@@ -72,13 +72,19 @@ bool expect_all(const std::string& equation, const std::string& scene, const std
     const auto& [i, j] = missing[0];
     const auto &a = bounds[static_cast<std::size_t>(i)], &b = bounds[static_cast<std::size_t>(j)];
     const double width = (a.upper.cwiseMin(b.upper) - a.lower.cwiseMax(b.lower)).minCoeff();
+    const double size_a = (a.upper - a.lower).maxCoeff(), size_b = (b.upper - b.lower).maxCoeff();
+    const bool levels_differ = size_a > 2 * size_b || size_b > 2 * size_a;
     given() = "given " + both(missing[0]);
-    expect_true("the pair " + show_pair(missing[0]) + of + ", is found", equation, false,
-                (width == 0 ? "They share only a point, a line or a face. Touching counts."
-                            : "They overlap, so this pair is missing.") +
-                    (equation == "Eq. (8.14)"
-                         ? std::string(" Of three cells along an axis the one in the middle counts, too.")
-                         : ""));
+    expect_true(
+        "the pair " + show_pair(missing[0]) + of + ", is found", equation, false,
+        (width == 0 ? "They share only a point, a line or a face. Touching counts."
+                    : "They overlap, so this pair is missing.") +
+            (equation == "Eq. (8.14)"
+                 ? (levels_differ ? " Their sizes are of different levels: a body is also looked for in the "
+                                    "grids of all coarser levels."
+                                  : "") +
+                       std::string(" Of three cells along an axis the one in the middle counts, too.")
+                 : ""));
   } else if (!wrong.empty()) {
     given() = "given " + both(wrong[0]);
     expect_true("the pair " + show_pair(wrong[0]) + of + ", does not touch, and is left out", equation, false,

@@ -130,7 +130,16 @@ EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {
       moved_first.bodies[b].x = moved.bodies[b].x;
       moved_first.bodies[b].q = moved.bodies[b].q;
     }
-    step_pairs(got, h);
+    try {
+      step_pairs(got, h);
+    } catch (const std::invalid_argument& refused) {
+      expect_true(
+          "a heap of static and other bodies makes a step", "Eq. (8.1)-(8.12)", false,
+          std::string("It says: ") + refused.what() +
+              ". Does a static box or ball have a contact with a plane, or with another static body? Two "
+              "static bodies have no contacts.");
+      return;
+    }
     const Simulation right = by(all_contacts(all));
     std::vector<Contact> planes_last = all_contacts(all);
     std::stable_partition(planes_last.begin(), planes_last.end(), [&](const Contact& contact) {

@@ -77,11 +77,13 @@ EXERCISE_TEST(SoftParameters, KeepTheDigitsOfStiffAndSoftRows) {
   for (const double x : {1e-9, 1e-3, 1e3, 1e9}) {
     const SoftParameters soft = soft_parameters(1, hertz(x), 0);
     expect_near("mass_scale for h ω = " + show(x), "Eq. (10.20)", soft.mass_scale, x * x / (1 + x * x),
-                roundings(10, x * x / (1 + x * x)), {},
-                "A very soft row loses all digits of 1 - impulse_scale. Compute each scale by itself.");
+                roundings(10, x * x / (1 + x * x)),
+                {{1 - 1 / (1 + x * x),
+                  "A very soft row loses all digits of 1 - impulse_scale. Compute each scale by itself."}});
     expect_near("impulse_scale for h ω = " + show(x), "Eq. (10.20)", soft.impulse_scale, 1 / (1 + x * x),
-                roundings(10, 1 / (1 + x * x)), {},
-                "A very stiff row loses all digits of 1 - mass_scale. Compute each scale by itself.");
+                roundings(10, 1 / (1 + x * x)),
+                {{1 - x * x / (1 + x * x),
+                  "A very stiff row loses all digits of 1 - mass_scale. Compute each scale by itself."}});
     expect_near("bias_rate for ζ = 0 [1/s]", "Eq. (10.20)", soft.bias_rate, 1, roundings(10), {},
                 "Without damping a step closes the whole gap: a = 1/h.");
   }

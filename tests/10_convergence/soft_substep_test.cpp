@@ -70,7 +70,9 @@ EXERCISE_TEST(SoftSubstep, SinksByTheWeightAbove) {
     const double depth = S * above * 9.81 / (spring.omega * spring.omega);
     expect_near("gap of contact " + std::to_string(k) + " of a tower at rest [m]", "Eq. (10.18)", tower.gaps[k],
                 -depth, {1e-10, "what 20000 substeps leave, and roundings"},
-                {{0, "Gaps are to follow the motion: g <- g + h G W."}},
+                {{0,
+                  "Gaps are to follow the motion: g <- g + h G W. W is that between the two sweeps, as the "
+                  "second one takes the speed out of an overlap."}},
                 "A tower sinks by S F/ω² at each contact, where F is the weight above.");
   }
 }
@@ -178,19 +180,20 @@ EXERCISE_TEST(SoftSubstep, HasItsStagesInTheirOrder) {
                  p.motion.Wf, p.rows, after, p.motion.W);
     // Each update rounds numbers of about 10, and the later ones carry that on.
     const Tolerance tolerance = roundings(1e4 * count, 10);
-    expect_near_vector(
-        "gaps of " + std::to_string(count) + " rows [m]", "Eq. (10.19)", as_eigen(after), expected_gaps,
-        tolerance,
-        {{as_eigen(gaps), "Gaps have not moved."},
-         {by_hand({.late_gaps = true}).second, "Gaps move between the two sweeps."},
-         {by_hand({.forces_last = true}).second, "Forces come first, before the sweeps."},
-         {by_hand({.gaps_of_pushing_only = true}).second,
-          "Gaps of rows without an impulse have not moved. All gaps move with the bodies."},
-         {by_hand({.warm_contacts_only = true}).second,
-          "W has the old λ of contacts only. Every row adds its own: joints and friction, too."},
-         {by_hand({.cold = true}).second, "W lacks the λ of the last substep: add M⁻¹ Gᵀ λ."},
-         {by_hand({.forgets_lambda = true}).second, "Begin with the λ of the last substep, not with 0."}},
-        "g <- g + h G W, with W after the soft sweep. " + ends_early);
+    expect_near_vector("gaps of " + std::to_string(count) + " rows [m]", "Eq. (10.19)", as_eigen(after),
+                       expected_gaps, tolerance,
+                       {{as_eigen(gaps), "Gaps have not moved."},
+                        {by_hand({.late_gaps = true}).second, "Gaps move between the two sweeps."},
+                        {by_hand({.forces_last = true}).second, "Forces come first, before the sweeps."},
+                        {by_hand({.gaps_of_pushing_only = true}).second,
+                         "Gaps of rows without an impulse have not moved. All gaps move with the bodies."},
+                        {by_hand({.warm_contacts_only = true}).second,
+                         "W has the old λ of contacts only. Every row adds its own: joints and friction, too."},
+                        {by_hand({.cold = true}).second, "W lacks the λ of the last substep: add M⁻¹ Gᵀ λ."},
+                        {by_hand({.forgets_lambda = true}).second,
+                         "Begin with the λ of the last substep, not with 0. And W has the λ of all rows before "
+                         "the first row is updated."}},
+                       "g <- g + h G W, with W after the soft sweep. " + ends_early);
     expect_near_vector(
         "λ of " + std::to_string(count) + " rows [N s]", "Eq. (10.15), (10.21)", lambdas(p), expected,
         tolerance,

@@ -171,8 +171,10 @@ EXERCISE_TEST(Factorise, WeighsAPivotAgainstWhatItIsMadeOf) {
                     "The pivot δ is less than 1e-14 (|1 + δ| + |1|). The sum is over all columns before it, "
                     "including the first, and takes absolute values.");
       else
-        expect_true(numbers + ", is sound", "Eq. (11.4)", sound,
-                    "The pivot δ is more than 1e-14 (|1 + δ| + |1|).");
+        expect_true(
+            numbers + ", is sound", "Eq. (11.4)", sound,
+            std::string("The pivot δ is more than 1e-14 (|1 + δ| + |1|).") +
+                (a < 0 ? " Here it is negative, which a pivot may be: only its size |D_k| counts." : ""));
     }
 }
 

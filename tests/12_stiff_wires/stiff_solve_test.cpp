@@ -38,6 +38,8 @@ enum class Push {
   of_both,
   of_its_own_end,
   of_the_other_end,
+  of_j_alone,
+  of_i_alone,
   on_i_only,
   on_j_only,
   alike_on_both,
@@ -57,8 +59,12 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Pu
              const RightSide& right_side = {}) {
   const Eigen::MatrixXd A = dense_matrix(s, times);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
-  const auto of = [&](int body) -> Vec3 { return pushed[static_cast<std::size_t>(body)]; };
   for (const Stiffness& spring : s.stiffness) {
+    const auto of = [&](int body) -> Vec3 {
+      if (how == Push::of_j_alone && body == spring.i) return Vec3::Zero();
+      if (how == Push::of_i_alone && body == spring.j) return Vec3::Zero();
+      return pushed[static_cast<std::size_t>(body)];
+    };
     const bool own = how != Push::of_the_other_end, other = how != Push::of_its_own_end;
     if (how == Push::between_dynamic_bodies && !(s.moves(spring.i) && s.moves(spring.j))) continue;
     const auto push_on = [&](int body, int end) {
@@ -130,6 +136,10 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
           "The other end's W_f is missing: a spring resists W_f,j - W_f,i, the difference of its two ends."},
          {dense(s, 1, Wf, Push::of_the_other_end).V,
           "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
+         {dense(s, 1, Wf, Push::of_j_alone).V,
+          "W_f of body i is missing on both ends: a spring resists the difference W_f,j - W_f,i."},
+         {dense(s, 1, Wf, Push::of_i_alone).V,
+          "W_f of body j is missing on both ends: a spring resists the difference W_f,j - W_f,i."},
          {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
          {dense(s, 1, Wf, Push::on_j_only).V, "K acts on body j only: what one end gets the other gives."},
          {dense(s, 1, Wf, Push::alike_on_both).V,

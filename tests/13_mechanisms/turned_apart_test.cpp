@@ -77,6 +77,7 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
                   {"frames turned far apart", std::abs(w) < 0.9}});
     const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const Vec3 u = t.i.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());
+    const Vec3 u_in_j = t.j.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());
     const Quat Q = t.i.axes.conjugate() * t.j.axes;
     expect_near_vector(
         "relative orientation of two frames, w = " + show(w) + " [rad]", "Eq. (13.1), (13.3)", values_of(apart),
@@ -104,6 +105,9 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
          {Vec3(Q.w() * u), "The part v × e_k is missing from a_k."},
          {Vec3(Q.w() * u - u.cross(Q.vec())), "The sign of the cross product: e_k·(u × v) is u·(v × e_k)."},
          {Vec3(u + u.cross(Q.vec())), "The w is missing from a_k."},
+         {Vec3(Q.w() * u_in_j + u_in_j.cross(Q.vec())),
+          "P_j has turned a_k into the world. Q is the orientation of j in i's frame, so it is P_i that turns "
+          "a_k."},
          {Vec3(-rate), w < 0
                            ? "The sign of w has been dropped: where w is negative the value goes the other way."
                            : "The sign: j comes with a plus, i with a minus."},

@@ -1,4 +1,6 @@
 // Sweeps by colour, on any number of threads: the same numbers.
+#include <algorithm>
+
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
 #include "packs.hpp"
@@ -47,7 +49,9 @@ EXERCISE_TEST(SolveInColours, GoesColourByColour) {
   for (std::size_t n = 0; n < std::min<std::size_t>(4, got.report.history.size()); ++n)
     expect_near("entry " + std::to_string(n) + " of the history [m/s]", "Eq. (4.9)", got.report.history[n],
                 history[n], {0, "the same updates"},
-                {{last_colour[n], "This is the largest of the last colour: include the others."}},
+                {{last_colour[n], "This is the largest of the last colour: include the others."},
+                 {*std::max_element(history.begin(), history.begin() + static_cast<std::ptrdiff_t>(n) + 1),
+                  "This is the largest of all sweeps so far, not of this sweep: begin with 0 in each."}},
                 "Append the largest value that any pack of this sweep returned.");
   expect_true("V equals that of one pack after the other, to the last bit", "Eq. (14.10)",
               same_bits(got.heap.V, V), "Update all packs of a colour, then the next colour, in order.");

@@ -279,8 +279,40 @@ inline std::vector<Mistake> mistakes_of(const Simulation& all, const std::vector
 /// A step of chapters 04 to 06.
 using Step = std::function<void(Simulation& all, const std::vector<Contact>& contacts, double h)>;
 
+inline bool have_same_bodies(const Contact& a, const Contact& b) {
+  return a.i == b.i && a.j == b.j;
+}
+
+inline bool share_a_moving_body(const Simulation& all, const PointJoint& joint, const Contact& contact) {
+  const auto moves = [&](int b) { return all.bodies[static_cast<std::size_t>(b)].mass != 0; };
+  return (moves(joint.i) && (joint.i == contact.i || joint.i == contact.j)) ||
+         (moves(joint.j) && (joint.j == contact.i || joint.j == contact.j));
+}
+
+/// Returns a sentence about a few contacts that are enough for a wrong result; empty if there are none.
+inline std::string wrong_contacts(const std::vector<Contact>& contacts,
+                                  const std::function<bool(const std::vector<Contact>&)>& is_wrong) {
+  for (std::size_t a = 0; a < contacts.size(); ++a)
+    for (std::size_t b = a + 1; b < contacts.size(); ++b)
+      if (have_same_bodies(contacts[a], contacts[b]) && is_wrong({contacts[a], contacts[b]}))
+        return "Two contacts of the same two bodies are enough for a wrong result: each has its own rows.";
+  for (std::size_t a = 0; a + 2 < contacts.size(); ++a)
+    for (std::size_t b = a + 1; b < contacts.size(); ++b)
+      for (const std::size_t other : {a + 1, a + 2}) {
+        if (!have_same_bodies(contacts[a], contacts[b]) || have_same_bodies(contacts[a], contacts[other]))
+          continue;
+        if (is_wrong({contacts[a], contacts[other], contacts[b]}) &&
+            !is_wrong({contacts[a], contacts[b], contacts[other]}))
+          return "Two contacts of the same two bodies, with a contact of other bodies between them in the "
+                 "list, are enough for a wrong result: look at the whole list, not at the neighbours of a "
+                 "contact.";
+      }
+  return "";
+}
+
 /// Returns a sentence about the smallest part of a simulation with which a step is wrong, too: no joint and no contact,
-/// one joint alone, or one contact alone. Empty if `got` is right. For a mistake that is not among the known ones.
+/// one joint alone, one contact alone, or two or three of them. Empty if `got` is right. For a mistake that is not among
+/// the known ones.
 inline std::string wrong_part(const Simulation& got, const Simulation& right, const Simulation& all,
                               const std::vector<Contact>& contacts, double h, const Step& step,
                               const Tolerance& tolerance) {
@@ -317,7 +349,18 @@ inline std::string wrong_part(const Simulation& got, const Simulation& right, co
   for (const Contact& contact : contacts)
     if (is_wrong(part, {contact}))
       return " A single contact with a gap of " + show(contact.gap) + " m" + between(contact.i, contact.j);
-  return " With one joint or contact alone the result is right. So look at what several have in common.";
+  const std::string first = " With one joint or contact alone the result is right. ";
+  const std::string several =
+      wrong_contacts(contacts, [&](const std::vector<Contact>& some) { return is_wrong(part, some); });
+  if (!several.empty()) return first + several;
+  for (const PointJoint& joint : all.joints)
+    for (const Contact& contact : contacts) {
+      part.joints = {joint};
+      if (!share_a_moving_body(all, joint, contact) || !is_wrong(part, {contact})) continue;
+      return first +
+             "A joint and a contact of one body are enough for a wrong result: are they solved together?";
+    }
+  return first + "So look at what several have in common.";
 }
 
 /// The mistakes of stages that chapters 04 to 06 have in common.
