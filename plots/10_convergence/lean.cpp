@@ -41,7 +41,7 @@ Solver<6> layers(bool up) {
   return {.solve = [up](const SolverInput<6>& s) -> SolverResult {
     std::vector<int> order = upwards(s.contacts);
     if (!up) std::reverse(order.begin(), order.end());
-    return solve_in_order(order, s.rows, s.V, s.stop);
+    return solve_in_order(order, s.rows(), s.V, s.stop);
   }};
 }
 
@@ -51,7 +51,7 @@ Solver<6> random_sweeps(int seed) {
         SolveReport report;
         for (int k = 0; k < s.stop.max_sweeps; ++k)
           report.history.push_back(
-              sweep_in_order(random_order(static_cast<int>(s.rows.size()), random), s.rows, s.V));
+              sweep_in_order(random_order(static_cast<int>(s.rows().size()), random), s.rows(), s.V));
         return SolverResult(report);
       }};
 }

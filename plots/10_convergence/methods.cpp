@@ -106,10 +106,10 @@ std::vector<Row> rows_of(const std::string& scene, FrictionModel model, const Pr
   for (int n = 1; n <= method.most; n = next(n)) {
     const bool whole = method.name == "direct";
     const auto solved = problem.solve(method.solver, {.max_sweeps = whole ? 50 : n, .tolerance = 1e-15});
-    const double cost = method.cost(solved.outcome, count, n) / count;
-    rows.push_back({scene, name_of(model), method.name, double(solved.outcome.report.history.size()), cost,
+    const double cost = method.cost(solved.result, count, n) / count;
+    rows.push_back({scene, name_of(model), method.name, double(solved.result.report.history.size()), cost,
                     problem.error(solved.V)});
-    if (solved.outcome.report.converged) break;
+    if (solved.result.report.converged) break;
   }
   return rows;
 }

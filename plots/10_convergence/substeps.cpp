@@ -86,7 +86,7 @@ double needed(const Chain& chain) {
   std::vector<double> history;
   World<3> world = chain.world({.solver = {.solve = [&](const SolverInput<3>& s) {
                                   const SolveReport report =
-                                      solve(s.rows, s.V, {.max_sweeps = 20000, .tolerance = 1e-10});
+                                      solve(s.rows(), s.V, {.max_sweeps = 20000, .tolerance = 1e-10});
                                   history = report.history;
                                   return report;
                                 }}});

@@ -25,7 +25,7 @@ FrictionModel friction_model(const Method& method) {
 /// Throws std::invalid_argument for a row order with another solver, or with cones.
 static void require_one_solver(const Method& method) {
   const bool ordered = method.row_order != RowOrder::given;
-  if (ordered && method.solver != solvers<3>().front().name)
+  if (ordered && !find_solver<3>(method.solver).takes_row_order)
     throw std::invalid_argument("with a row order, solver must be gauss_seidel, but is " + method.solver);
   if (friction_model(method) != FrictionModel::cone) return;
   if (ordered)

@@ -18,8 +18,8 @@ struct Method {
   RowOrder row_order = RowOrder::given;
   std::uint64_t seed = 1;  ///< of a random order
   bool warm_start = false;
-  std::optional<int> integrator_order =
-      {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
+  /// The order that steps are composed to, 2 or 4; the scene's own, unless given.
+  std::optional<int> integrator_order = {};
   std::optional<int> max_parts = {};  ///< largest number of parts of a step; the scene's own, unless given
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given

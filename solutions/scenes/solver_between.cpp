@@ -55,17 +55,16 @@ static void require_whole(const StepRows& half, std::size_t contact_rows) {
 /// Keeps chapter 05's bounds of friction rows for the box alone. Two passes begin without friction, and cones have no
 /// bounds.
 template <int Dof>
-void SolverBetween<Dof>::set_friction_bounds(std::vector<Row<Dof>>& rows,
-                                             std::vector<FrictionContact>& friction) const {
+void SolverBetween<Dof>::set_friction_bounds(ConstraintSet<Dof>& constraints) const {
   if (solver_.friction == FrictionModel::box) {
-    friction.clear();
+    constraints.friction.clear();
     return;
   }
   const double bound = solver_.friction == FrictionModel::cone ? infinity : 0;
-  for (const FrictionContact& contact : friction)
+  for (const FrictionContact& contact : constraints.friction)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
-      rows[k].lo = -bound;
-      rows[k].hi = bound;
+      constraints.rows[k].lo = -bound;
+      constraints.rows[k].hi = bound;
     }
 }
 
@@ -76,30 +75,30 @@ SolveReport SolverBetween<Dof>::step(const World<Dof>& world, const std::vector<
   const std::size_t contact_rows = (simulation.mu > 0 ? 3 : 1) * contacts.size();
   require_whole(half, contact_rows);
   copy_motion(half.motion, bodies.motion);
-  std::vector<Row<Dof>> rows;
+  ConstraintSet<Dof> constraints{.rows_per_contact = simulation.mu > 0 ? 3U : 1U};
+  std::vector<Row<Dof>>& rows = constraints.rows;
   if (has_mechanisms(world.joints())) add_joint_rows(world.joints(), h, bodies, rows);
   for (FrictionContact& contact : half.friction) contact.normal += rows.size();
+  constraints.friction = std::move(half.friction);
   for (const Row<6>& row : half.rows) rows.push_back(row_of<Dof>(row));
-  const std::size_t first = rows.size() - contact_rows;
-  set_friction_bounds(rows, half.friction);
+  constraints.first_contact_row = rows.size() - contact_rows;
+  set_friction_bounds(constraints);
 
   std::vector<Twist<Dof>> V(bodies.size(), Twist<Dof>::Zero());
   if (warm_start_) {
-    const std::vector<double> impulses = last_.impulses(rows, first, contacts, h);
+    const std::vector<double> impulses = last_.impulses(constraints, contacts, h);
     if (!impulses.empty()) warm_start(impulses, rows, V);
   }
-  SolverResult result = solver_.solve({.rows = rows,
+  SolverResult result = solver_.solve({.constraints = constraints,
                                        .V = V,
-                                       .rubbing = half.friction,
                                        .joints = world.joints(),
                                        .contacts = contacts,
-                                       .first_contact_row = first,
                                        .bodies = bodies,
                                        .last = last_,
                                        .gravity = simulation.gravity,
                                        .h = h,
                                        .stop = world.stop_rule(h)});
-  if (warm_start_ || solver_.wants_last) last_.remember(rows, first, contacts, h);
+  if (warm_start_ || solver_.wants_last) last_.remember(constraints, contacts, h);
   std::vector<Twist<6>> changes(V.size(), Twist<6>::Zero());
   for (std::size_t b = 0; b < V.size(); ++b) changes[b].template head<Dof>() = V[b];
   finish_step(simulation, changes, h);

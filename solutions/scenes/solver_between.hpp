@@ -25,7 +25,7 @@ class SolverBetween {
                    Simulation& simulation, Bodies<Dof>& bodies);
 
  private:
-  void set_friction_bounds(std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& friction) const;
+  void set_friction_bounds(ConstraintSet<Dof>& constraints) const;
 
   Solver<Dof> solver_;
   bool warm_start_;

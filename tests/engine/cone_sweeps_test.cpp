@@ -42,14 +42,14 @@ TEST(ConeSweeps, EqualTheSweepsOfChapter09) {
   int systems = 0;
   with_rows([&](const SolverInput<6>& s) {
     ++systems;
-    ASSERT_GE(s.rubbing.size(), 12U);
-    ASSERT_GE(s.first_contact_row, 5U) << "rows of a hinge come first";
-    std::vector<Row<6>> rows = s.rows, blocks = s.rows;
+    ASSERT_GE(s.constraints.friction.size(), 12U);
+    ASSERT_GE(s.constraints.first_contact_row, 5U) << "rows of a hinge come first";
+    std::vector<Row<6>> rows = s.rows(), blocks = s.rows();
     std::vector<Twist<6>> V = s.V, V_blocks = s.V;
-    ConeSweeps<6> sweeps(s.rubbing, blocks, V_blocks, s.bodies.motion.inverse_mass);
+    ConeSweeps<6> sweeps(s.constraints.friction, blocks, V_blocks, s.bodies.motion.inverse_mass);
     double size = 0, speed = 0;
     for (int n = 0; n < 20; ++n) {
-      const double expected = sweep_on_cones(s.rubbing, rows, V);
+      const double expected = sweep_on_cones(s.constraints.friction, rows, V);
       EXPECT_NEAR(sweeps.sweep(), expected, 1e-12 * expected) << "sweep " << n;
     }
     sweeps.write_back();
@@ -66,9 +66,9 @@ TEST(ConeSweeps, EqualTheSweepsOfChapter09) {
 
 TEST(ConeSweeps, StartFromAnyImpulsesWithinTheirBounds) {
   with_rows([](const SolverInput<6>& s) {
-    std::vector<Row<6>> rows = s.rows;
+    std::vector<Row<6>> rows = s.rows();
     std::vector<Twist<6>> V = s.V;
-    ConeSweeps<6> sweeps(s.rubbing, rows, V, s.bodies.motion.inverse_mass);
+    ConeSweeps<6> sweeps(s.constraints.friction, rows, V, s.bodies.motion.inverse_mass);
     for (int n = 0; n < 5; ++n) sweeps.sweep();
     const Eigen::VectorXd before = sweeps.impulses();
     sweeps.start_from(before);
@@ -83,7 +83,7 @@ TEST(ConeSweeps, StartFromAnyImpulsesWithinTheirBounds) {
     for (const Twist<6>& v : sum) speed = std::max(speed, v.norm());
     for (std::size_t b = 0; b < V.size(); ++b)
       EXPECT_LE((V[b] - sum[b]).norm(), 1e-13 * speed) << "V is not M⁻¹ Gᵀ λ of body " << b;
-    for (const auto& [normal, mu] : s.rubbing) {
+    for (const auto& [normal, mu] : s.constraints.friction) {
       EXPECT_GE(rows[normal].lambda, 0);
       EXPECT_LE(Vec2(rows[normal + 1].lambda, rows[normal + 2].lambda).norm(),
                 mu * rows[normal].lambda * (1 + 1e-15) + 1e-300);

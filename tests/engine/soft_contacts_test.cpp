@@ -16,8 +16,7 @@ constexpr SoftSpring spring{.frequency = 0.2, .damping = 5};
 struct Heap {
   Motion<6> motion;
   std::vector<Contact> contacts;
-  std::vector<Row<6>> rows;
-  std::vector<FrictionContact> rubbing;
+  ConstraintSet<6> constraints;
 
   explicit Heap(testing::Random& random, double mu) {
     const int bodies = 8;
@@ -37,9 +36,10 @@ struct Heap {
       contacts.push_back({.i = i, .j = j, .n = n, .gap = random.uniform(-0.02, 0.01), .r_i = r_i, .r_j = r_j});
     }
     const Materials materials({.friction = mu, .restitution = 0, .k = 1e6, .d = 3});
-    add_contact_rows<6>(contacts, h, materials, {.model = FrictionModel::cone}, motion, 1, 0, rows, rubbing);
+    set_contact_rows<6>(contacts, h, materials, {.model = FrictionModel::cone}, motion, 1, constraints);
+    std::vector<Row<6>>& rows = constraints.rows;
     for (Row<6>& row : rows) row.B = 0;
-    const std::size_t each = rows.size() / contacts.size();
+    const std::size_t each = constraints.rows_per_contact;
     for (std::size_t k = 0; k < rows.size(); k += each) {
       rows[k].lambda = std::max(0.0, random.uniform(-0.5, 1));
       for (std::size_t t = 1; t < each; ++t)
@@ -61,20 +61,21 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
     const double mu = trial % 2 ? 0.6 : 0;
     Heap heap(random, mu);
     SoftContacts<6> packed;
-    packed.assign(heap.contacts, heap.rows, 0, heap.rubbing);
+    packed.assign(heap.contacts, heap.constraints);
     std::vector<Twist<6>> W = heap.motion.W, expected = W;
 
     packed.warm_start(W);
-    for (const Row<6>& row : heap.rows) apply_impulse(row, row.lambda, expected);
+    for (const Row<6>& row : heap.constraints.rows) apply_impulse(row, row.lambda, expected);
     expect_same(W, expected);
 
     // ω = 2π f of a substep, so in Hz the frequency is f/h.
     const SoftParameters soft = soft_parameters(h, spring.frequency / h, spring.damping);
-    const std::size_t each = heap.rows.size() / heap.contacts.size();
     const auto sweep_rows = [&](const SoftParameters& how) {
-      for (const FrictionContact& contact : heap.rubbing) update_friction(contact, heap.rows, expected);
+      for (const FrictionContact& contact : heap.constraints.friction)
+        update_friction(contact, heap.constraints.rows, expected);
       for (std::size_t c = 0; c < heap.contacts.size(); ++c)
-        update_soft_row(h, how, heap.contacts[c].gap, heap.rows[each * c], expected);
+        update_soft_row(h, how, heap.contacts[c].gap, heap.constraints.rows[heap.constraints.normal_row(c)],
+                        expected);
     };
     packed.sweep_friction(W);
     packed.sweep_soft(spring, infinity, h, W);
@@ -83,7 +84,7 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
 
     packed.move_gaps(h, W);
     for (std::size_t c = 0; c < heap.contacts.size(); ++c) {
-      const Row<6>& row = heap.rows[each * c];
+      const Row<6>& row = heap.constraints.rows[heap.constraints.normal_row(c)];
       heap.contacts[c].gap += h * (row.Gi.dot(expected[row.i]) + row.Gj.dot(expected[row.j]));
       EXPECT_EQ(packed.pressed(c), row.lambda > 0);
     }
@@ -92,11 +93,12 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
     sweep_rows({});
     expect_same(W, expected);
 
-    std::vector<Row<6>> returned = heap.rows;
-    for (Row<6>& row : returned) row.lambda = -1;
-    packed.return_impulses(returned, 0);
-    for (std::size_t k = 0; k < returned.size(); ++k)
-      EXPECT_NEAR(returned[k].lambda, heap.rows[k].lambda, 60 * 1e-15 * 1e3) << testing::Random::seed();
+    ConstraintSet<6> returned = heap.constraints;
+    for (Row<6>& row : returned.rows) row.lambda = -1;
+    packed.return_impulses(returned);
+    for (std::size_t k = 0; k < returned.rows.size(); ++k)
+      EXPECT_NEAR(returned.rows[k].lambda, heap.constraints.rows[k].lambda, 60 * 1e-15 * 1e3)
+          << testing::Random::seed();
   }
 }
 
@@ -106,12 +108,13 @@ TEST(SoftContacts, CloseAnOverlapWithTheClosingSpeedAtMost) {
   Heap heap(random, 0);
   heap.contacts.resize(1);
   heap.contacts[0].gap = -100;
-  heap.rows.resize(1);
+  heap.constraints.rows.resize(1);
   SoftContacts<6> packed;
-  packed.assign(heap.contacts, heap.rows, 0, {});
+  heap.constraints.friction.clear();
+  packed.assign(heap.contacts, heap.constraints);
   std::vector<Twist<6>> W = heap.motion.W;
   for (int sweep = 0; sweep < 400; ++sweep) packed.sweep_soft({.frequency = 100, .damping = 0.1}, 3, h, W);
-  const Row<6>& row = heap.rows[0];
+  const Row<6>& row = heap.constraints.rows[0];
   // So stiff a row leaves Σ λ, 1e-6 of S λ.
   EXPECT_NEAR(row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]), 3, 1e-4) << testing::Random::seed();
 }

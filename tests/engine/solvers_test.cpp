@@ -23,7 +23,7 @@ const StopRule to_the_end{.max_sweeps = 200'000, .tolerance = 1e-14};
 struct Rubbed {
   std::vector<Row<3>> rows;
   std::vector<Twist<3>> V;
-  std::vector<FrictionContact> rubbing;
+  std::vector<FrictionContact> friction;
   Motion<3> motion;
 
   explicit Rubbed(double bound, int masses = 2) : V(masses + 1, Twist<3>::Zero()) {
@@ -35,7 +35,7 @@ struct Rubbed {
       motion.Wf.push_back(h * (i % 2 == 0 ? Vec3(3, 1, -g) : Vec3(-1, 2, -g)));
       const Contact contact{
           .i = i, .j = i + 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
-      rubbing.push_back({.normal = rows.size(), .mu = 0.5});
+      friction.push_back({.normal = rows.size(), .mu = 0.5});
       rows.push_back(make_row(contact_constraint<3>(contact, spook_parameters(h, rigid, 3)), motion));
       for (const Constraint<3>& row :
            friction_constraints<3>(contact, tangents(contact.n), bound, friction_parameters(h, 1e9)))
@@ -53,7 +53,7 @@ struct Rubbed {
 /// The result of `solver` for rows with such bounds of friction.
 std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& stop = {}, int masses = 2) {
   Rubbed s(bound, masses);
-  solve_by(solver, s.motion, s.rows, s.V, stop, s.rubbing);
+  solve_by(solver, s.motion, s.rows, s.V, stop, s.friction);
   return s.impulses();
 }
 
@@ -65,8 +65,8 @@ TEST(Solvers, AreTheirChaptersFunctions) {
   conjugate_solve(conjugate.rows, conjugate.V, {});
   Factors factors;
   direct_solve(direct_.rows, direct_.V, {}, factors);
-  cone_solve(on_cones.rubbing, on_cones.rows, on_cones.V, {});
-  two_pass_solve(twice.rubbing, twice.rows, twice.V, {});
+  cone_solve(on_cones.friction, on_cones.rows, on_cones.V, {});
+  two_pass_solve(twice.friction, twice.rows, twice.V, {});
   EXPECT_EQ(by(gauss_seidel<3>(), 0.1), swept.impulses());
   EXPECT_EQ(by(conjugate_gradients<3>(), 0.1), conjugate.impulses());
   EXPECT_EQ(by(direct<3>(), 0.1, {}, many), direct_.impulses());
@@ -87,7 +87,7 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
     for (std::size_t row = 0; row < sweeps.size(); ++row) EXPECT_NEAR(other[row], sweeps[row], 1e-12);
   }
   Rubbed s(0);
-  const SolverResult outcome = solve_by(two_pass(direct<3>()), s.motion, s.rows, s.V, {}, s.rubbing);
+  const SolverResult outcome = solve_by(two_pass(direct<3>()), s.motion, s.rows, s.V, {}, s.friction);
   EXPECT_EQ(outcome.row_updates, 0) << "neither pass sweeps";
   EXPECT_GE(outcome.report.history.size(), 2U) << "a factorisation each, at least";
   Rubbed smooth(0);
@@ -152,9 +152,9 @@ TEST(Solvers, MayBeWrittenByTheUser) {
   // A floor with half the impulse: a solver may change the system in any way.
   World<3> world({.k = rigid, .solver = {.solve = [](const SolverInput<3>& s) {
                                 SolverResult outcome = gauss_seidel<3>().solve(s);
-                                for (Row<3>& row : s.rows) row.lambda /= 2;
+                                for (Row<3>& row : s.rows()) row.lambda /= 2;
                                 for (Twist<3>& V : s.V) V /= 2;
-                                EXPECT_EQ(s.contacts.size(), s.rows.size());
+                                EXPECT_EQ(s.contacts.size(), s.rows().size());
                                 EXPECT_EQ(s.bodies.size(), s.V.size());
                                 EXPECT_EQ(s.h, h);
                                 return outcome;

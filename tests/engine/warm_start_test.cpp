@@ -79,7 +79,7 @@ TEST(WarmStartCache, ReturnsTheImpulsesOfMatchedContacts) {
         before.push_back(
             {.i = 0, .j = pair + 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = random.vector()});
     WarmStartCache start;
-    start.remember(numbered_rows(before.size()), 0, before, h);
+    start.remember<3>({.rows = numbered_rows(before.size())}, before, h);
 
     std::vector<Contact> now = before;
     const double size = random.log_uniform(1e-3, 2);
@@ -100,42 +100,50 @@ TEST(WarmStartCache, ReturnsTheImpulsesOfMatchedContacts) {
     for (const Contact& contact : before) old.push_back({contact.i, contact.j, contact.r_j});
     std::vector<double> wanted;
     for (const int match : match_contacts(now, old, infinity)) wanted.push_back(match + 1);
-    EXPECT_EQ(start.impulses(std::vector<Row<3>>(now.size()), 0, now, h), wanted)
+    EXPECT_EQ(start.impulses<3>({.rows = std::vector<Row<3>>(now.size())}, now, h), wanted)
         << "round " << round << ", size " << size;
   }
 }
 
 TEST(WarmStartCache, FollowTheirContactsAndForgetTheRest) {
   WarmStartCache start;
-  EXPECT_TRUE(start.impulses(std::vector<Row<3>>(5), 1, {}, h).empty()) << "nothing is kept yet";
+  EXPECT_TRUE(start.impulses<3>({.rows = std::vector<Row<3>>(5), .first_contact_row = 1}, {}, h).empty())
+      << "nothing is kept yet";
 
   const auto contact = [](int i, int j, const Vec3& at) {
     return Contact{.i = i, .j = j, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = at};
   };
   // Rows of joints, then those of contacts: along z, x and y.
   const auto rows_with = [](int joints, const std::vector<double>& impulses) {
-    std::vector<Row<3>> rows(impulses.size());
-    for (int row = 0; row < std::ssize(rows); ++row) {
-      rows[row].lambda = impulses[row];
-      rows[row].Gj = Vec3::Unit((row - joints + 5) % 3);
+    ConstraintSet<3> all{.rows = std::vector<Row<3>>(impulses.size()),
+                         .first_contact_row = static_cast<std::size_t>(joints),
+                         .rows_per_contact = 3};
+    for (int row = 0; row < std::ssize(all.rows); ++row) {
+      all.rows[row].lambda = impulses[row];
+      all.rows[row].Gj = Vec3::Unit((row - joints + 5) % 3);
     }
-    return rows;
+    return all;
   };
   // One row of a joint, then two contacts of one pair with three rows each.
-  const std::vector<Row<3>> rows = rows_with(1, {9, 1, 2, 3, 4, 5, 6});
-  start.remember(rows, 1, {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
+  start.remember(rows_with(1, {9, 1, 2, 3, 4, 5, 6}),
+                 {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
 
   // One joint more; the contacts in the other order, one of them moved; and one of another pair.
   const std::vector<Contact> now = {contact(0, 1, Vec3(-1.1, 0, 0)), contact(0, 2, Vec3(1, 0, 0)),
                                     contact(0, 1, Vec3(1, 0, 0))};
-  std::vector<Row<3>> next = rows_with(2, std::vector<double>(11, 0));
-  EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6}))
+  ConstraintSet<3> next = rows_with(2, std::vector<double>(11, 0));
+  EXPECT_EQ(start.impulses(next, now, 2 * h), (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6}))
       << "all twice, as h is";
 
   // A contact whose tangents have turned by a quarter keeps its friction as a vector, not its numbers.
-  next[3].Gj = Vec3::UnitY();
-  next[4].Gj = -Vec3::UnitX();
-  EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 12, -10, 0, 0, 0, 2, 4, 6}));
+  next.rows[3].Gj = Vec3::UnitY();
+  next.rows[4].Gj = -Vec3::UnitX();
+  EXPECT_EQ(start.impulses(next, now, 2 * h), (std::vector<double>{18, 0, 8, 12, -10, 0, 0, 0, 2, 4, 6}));
+
+  // The first friction of a world gives contacts three rows; their impulses of before are those of one.
+  ConstraintSet<3> smooth{.rows = rows_with(0, {1, 2}).rows};
+  start.remember(smooth, {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
+  EXPECT_EQ(start.impulses(next, now, h), std::vector<double>(11, 0));
 }
 
 TEST(RowOrder, OneSweepShowsWhichWayItWent) {

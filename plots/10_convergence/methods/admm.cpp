@@ -35,15 +35,15 @@ template <int Dof>
 class Splitting {
  public:
   Splitting(const SolverInput<Dof>& s, bool on_cones)
-      : s_(s), on_cones_(on_cones), on_(s.rows, s.bodies.motion.inverse_mass), scale_(std::ssize(s.rows)) {
-    for (Eigen::Index k = 0; k < scale_.size(); ++k) scale_[k] = s.rows[k].diagonal;
+      : s_(s), on_cones_(on_cones), on_(s.rows(), s.bodies.motion.inverse_mass), scale_(std::ssize(s.rows())) {
+    for (Eigen::Index k = 0; k < scale_.size(); ++k) scale_[k] = s.rows()[k].diagonal;
     if (on_cones)
-      for (const FrictionContact& contact : s.rubbing) {
+      for (const FrictionContact& contact : s.constraints.friction) {
         const auto first = static_cast<Eigen::Index>(contact.normal);
         scale_.segment<3>(first).setConstant(scale_.segment<3>(first).maxCoeff());
       }
     z_ = u_ = Vector::Zero(scale_.size());
-    for (Eigen::Index k = 0; k < z_.size(); ++k) z_[k] = s.rows[k].lambda;
+    for (Eigen::Index k = 0; k < z_.size(); ++k) z_[k] = s.rows()[k].lambda;
     factorise_anew();
   }
 
@@ -65,9 +65,9 @@ class Splitting {
 
   void finish() const {
     std::fill(s_.V.begin(), s_.V.end(), Twist<Dof>::Zero());
-    for (std::size_t k = 0; k < s_.rows.size(); ++k) {
-      s_.rows[k].lambda = z_[static_cast<Eigen::Index>(k)];
-      apply_impulse(s_.rows[k], s_.rows[k].lambda, s_.V);
+    for (std::size_t k = 0; k < s_.rows().size(); ++k) {
+      s_.rows()[k].lambda = z_[static_cast<Eigen::Index>(k)];
+      apply_impulse(s_.rows()[k], s_.rows()[k].lambda, s_.V);
     }
   }
   double work() const { return work_; }
@@ -75,8 +75,9 @@ class Splitting {
  private:
   void factorise_anew() {
     stiffness_.resize(scale_.size());
-    for (Eigen::Index k = 0; k < scale_.size(); ++k) stiffness_[k] = 1 / (s_.rows[k].Sigma + rho_ * scale_[k]);
-    factorise(on_.matrix(s_.rows, stiffness_), factors_);
+    for (Eigen::Index k = 0; k < scale_.size(); ++k)
+      stiffness_[k] = 1 / (s_.rows()[k].Sigma + rho_ * scale_[k]);
+    factorise(on_.matrix(s_.rows(), stiffness_), factors_);
     work_ += factor_work(factors_) + 3.0 * Dof * Dof * static_cast<double>(scale_.size());
     since_ = 0;
   }
@@ -89,24 +90,24 @@ class Splitting {
 
   Vector unbounded() const {
     Vector q = rho_ * scale_.cwiseProduct(z_ - u_);
-    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] += s_.rows[k].B;
+    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] += s_.rows()[k].B;
     if (on_cones_)
-      for (const FrictionContact& contact : s_.rubbing) {
+      for (const FrictionContact& contact : s_.constraints.friction) {
         const auto n = static_cast<Eigen::Index>(contact.normal);
         q[n] -= contact.mu * rho_ * scale_[n] * u_.segment<2>(n + 1).norm();
       }
     Vector right = Vector::Zero(on_.size());
-    for (Eigen::Index k = 0; k < q.size(); ++k) on_.scatter(s_.rows[k], stiffness_[k] * q[k], right);
+    for (Eigen::Index k = 0; k < q.size(); ++k) on_.scatter(s_.rows()[k], stiffness_[k] * q[k], right);
     const Vector v = factors_.ldlt.solve(right);
-    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] = stiffness_[k] * (q[k] - on_.gather(s_.rows[k], v));
+    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] = stiffness_[k] * (q[k] - on_.gather(s_.rows()[k], v));
     return q;
   }
 
   Vector allowed(const Vector& x) const {
     Vector nearest = x;
-    for (Eigen::Index k = 0; k < x.size(); ++k) nearest[k] = std::clamp(x[k], s_.rows[k].lo, s_.rows[k].hi);
+    for (Eigen::Index k = 0; k < x.size(); ++k) nearest[k] = std::clamp(x[k], s_.rows()[k].lo, s_.rows()[k].hi);
     if (on_cones_)
-      for (const FrictionContact& contact : s_.rubbing) {
+      for (const FrictionContact& contact : s_.constraints.friction) {
         const auto n = static_cast<Eigen::Index>(contact.normal);
         nearest.segment<3>(n) = onto_cone(x.segment<3>(n), contact.mu);
       }
@@ -136,9 +137,9 @@ Solver<Dof> admm(FrictionModel model) {
                   report.converged = report.history.back() <= s.stop.tolerance;
                 }
                 splitting.finish();
-                SolverResult outcome(std::move(report));
-                outcome.row_updates = std::llround(splitting.work() / update_work<Dof>);
-                return outcome;
+                SolverResult result(std::move(report));
+                result.row_updates = std::llround(splitting.work() / update_work<Dof>);
+                return result;
               },
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box};
 }

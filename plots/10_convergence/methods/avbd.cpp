@@ -23,11 +23,11 @@ namespace {
 template <int Dof>
 class BlockDescent {
  public:
-  explicit BlockDescent(const SolverInput<Dof>& s) : s_(s), of_body_(s.V.size()), rho_(s.rows.size()) {
-    for (int k = 0; k < std::ssize(s.rows); ++k) {
-      const spook::Row<Dof>& row = s.rows[k];
-      if (s.bodies.motion.inverse_mass[row.i].linear > 0) of_body_[row.i].push_back(k);
-      if (s.bodies.motion.inverse_mass[row.j].linear > 0) of_body_[row.j].push_back(k);
+  explicit BlockDescent(const SolverInput<Dof>& s) : s_(s), of_body_(s.V.size()), rho_(s.rows().size()) {
+    for (int k = 0; k < std::ssize(s.rows()); ++k) {
+      const spook::Row<Dof>& row = s.rows()[k];
+      if (is_dynamic(s.bodies.motion.inverse_mass[row.i])) of_body_[row.i].push_back(k);
+      if (is_dynamic(s.bodies.motion.inverse_mass[row.j])) of_body_[row.j].push_back(k);
       rho_[k] = first / row.diagonal;
     }
   }
@@ -38,7 +38,7 @@ class BlockDescent {
       if (!of_body_[b].empty()) descend(static_cast<int>(b));
     double most = 0;
     for (std::size_t k = 0; k < rho_.size(); ++k) {
-      spook::Row<Dof>& row = s_.rows[k];
+      spook::Row<Dof>& row = s_.rows()[k];
       const double next = multiplier(k);
       most = std::max(most, row.diagonal * std::abs(next - row.lambda));
       row.lambda = next;
@@ -61,7 +61,7 @@ class BlockDescent {
   static constexpr double first = 0.1, growth = 2, last = 1e4;  // of 1/S_kk
 
   double multiplier(std::size_t k) const {
-    const spook::Row<Dof>& row = s_.rows[k];
+    const spook::Row<Dof>& row = s_.rows()[k];
     const double lacks = row.B - row.Gi.dot(s_.V[row.i]) - row.Gj.dot(s_.V[row.j]);
     return std::clamp((row.lambda + rho_[k] * lacks) / (1 + rho_[k] * row.Sigma), row.lo, row.hi);
   }
@@ -70,7 +70,7 @@ class BlockDescent {
     Block<Dof> H = mass_of(s_.bodies.motion.inverse_mass[body]);
     Twist<Dof> force = -(H * s_.V[body]);
     for (const int k : of_body_[body]) {
-      const spook::Row<Dof>& row = s_.rows[k];
+      const spook::Row<Dof>& row = s_.rows()[k];
       const Twist<Dof>& G = row.i == body ? row.Gi : row.Gj;
       H += rho_[k] / (1 + rho_[k] * row.Sigma) * G * G.transpose();
       force += multiplier(k) * G;
@@ -94,10 +94,10 @@ Solver<Dof> avbd() {
       report.history.push_back(descent.iterate());
       report.converged = report.history.back() <= s.stop.tolerance;
     }
-    SolverResult outcome(std::move(report));
-    outcome.row_updates =
-        std::llround(static_cast<double>(outcome.report.history.size()) * descent.work() / update_work<Dof>);
-    return outcome;
+    SolverResult result(std::move(report));
+    result.row_updates =
+        std::llround(static_cast<double>(result.report.history.size()) * descent.work() / update_work<Dof>);
+    return result;
   }};
 }
 

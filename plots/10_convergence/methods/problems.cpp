@@ -15,13 +15,13 @@ Problem<Dof> next_step(Settings<Dof> settings, const std::function<void(World<Do
   auto problem = std::make_shared<Problem<Dof>>();
   settings.solver = {.solve =
                          [=, inner = solver](const SolverInput<Dof>& s) {
-                           problem->rows = s.rows;
+                           problem->rows = s.rows();
                            for (spook::Row<Dof>& row : problem->rows) row.lambda = 0;
-                           problem->rubbing = s.rubbing;
+                           problem->friction = s.constraints.friction;
                            problem->bodies = s.bodies;
-                           SolverResult outcome = inner.solve(s);
+                           SolverResult result = inner.solve(s);
                            problem->answer = s.V;
-                           return outcome;
+                           return result;
                          },
                      .friction = solver.friction,
                      .wants_last = true};

@@ -11,35 +11,35 @@ namespace spook::plots {
 template <int Dof>
 struct Problem {
   std::vector<spook::Row<Dof>> rows;
-  std::vector<FrictionContact> rubbing;
+  std::vector<FrictionContact> friction;
   Bodies<Dof> bodies;
   std::vector<Twist<Dof>> answer;  ///< exact velocities
 
   struct Solved {
-    SolverResult outcome;
+    SolverResult result;
     std::vector<spook::Row<Dof>> rows;
     std::vector<Twist<Dof>> V;
   };
   Solved solve(const Solver<Dof>& solver, const StopRule& stop) const {
-    Solved all{SolveReport{}, rows, std::vector<Twist<Dof>>(bodies.size(), Twist<Dof>::Zero())};
+    Solved all{SolveReport{}, {}, std::vector<Twist<Dof>>(bodies.size(), Twist<Dof>::Zero())};
+    ConstraintSet<Dof> constraints{.rows = rows, .first_contact_row = rows.size(), .friction = friction};
     const WarmStartCache none;
-    all.outcome = solver.solve({.rows = all.rows,
-                                .V = all.V,
-                                .rubbing = rubbing,
-                                .joints = {},
-                                .contacts = {},
-                                .first_contact_row = rows.size(),
-                                .bodies = bodies,
-                                .last = none,
-                                .gravity = Vec3::Zero(),
-                                .h = 1.0 / 60,
-                                .stop = stop});
+    all.result = solver.solve({.constraints = constraints,
+                               .V = all.V,
+                               .joints = {},
+                               .contacts = {},
+                               .bodies = bodies,
+                               .last = none,
+                               .gravity = Vec3::Zero(),
+                               .h = 1.0 / 60,
+                               .stop = stop});
+    all.rows = std::move(constraints.rows);
     return all;
   }
   double energy(const std::vector<Twist<Dof>>& V) const {
     double sum = 0;
     for (std::size_t b = 0; b < V.size(); ++b)
-      if (bodies.motion.inverse_mass[b].linear > 0)
+      if (is_dynamic(bodies.motion.inverse_mass[b]))
         sum += V[b].dot(mass_of(bodies.motion.inverse_mass[b]) * V[b]);
     return sum;
   }

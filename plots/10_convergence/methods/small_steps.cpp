@@ -4,11 +4,11 @@ namespace spook::plots {
 
 Solver<3> xpbd() {
   return {.solve = [](const SolverInput<3>& s) {
-    for (spook::Row<3>& row : s.rows) {
+    for (spook::Row<3>& row : s.rows()) {
       const auto& W = s.bodies.motion.W;
       row.B -= (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j])) / 4;
     }
-    return SolverResult(solve(s.rows, s.V, s.stop));
+    return SolverResult(solve(s.rows(), s.V, s.stop));
   }};
 }
 
@@ -36,10 +36,9 @@ Relaxed::Relaxed(const Chain& chain)
     : joints_(chain.hangs ? chain.mass.size() : 0),
       world_(chain.world({.solver = {.solve =
                                          [this](const SolverInput<3>& s) {
-                                           const auto last =
-                                               impulses_.impulses(s.rows, s.first_contact_row, s.contacts, s.h);
-                                           if (!last.empty()) warm_start(last, s.rows, s.V);
-                                           return SolverResult(solve(s.rows, s.V, s.stop));
+                                           const auto last = impulses_.impulses(s.constraints, s.contacts, s.h);
+                                           if (!last.empty()) warm_start(last, s.rows(), s.V);
+                                           return SolverResult(solve(s.rows(), s.V, s.stop));
                                          }},
                           .solver_limits = {.max_sweeps = 1}})) {}
 
@@ -54,7 +53,7 @@ void Relaxed::step(double h) {
   }
   std::vector<Twist<3>> V(W.size(), Vec3::Zero());
   sweep(rows, V);
-  impulses_.remember(rows, joints_, world_.contacts(), h);
+  impulses_.remember<3>({.rows = std::move(rows), .first_contact_row = joints_}, world_.contacts(), h);
   for (int body = 1; body < static_cast<int>(V.size()); ++body)
     world_.place(body, world_.x(body), world_.v(body) + V[static_cast<std::size_t>(body)]);
 }

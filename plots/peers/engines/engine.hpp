@@ -15,8 +15,8 @@ struct Lost {};
 class Engine {
  public:
   virtual ~Engine() = default;
-  virtual void advance(
-      std::int64_t steps) = 0;         ///< steps of the engine's h; may throw Lost or SimulationDiverged
+  /// Takes steps of the engine's h; may throw Lost or SimulationDiverged.
+  virtual void advance(std::int64_t steps) = 0;
   virtual Vec3 x(int body) const = 0;  ///< centre of mass [m]
   virtual Quat q(int body) const = 0;  ///< body to world
 };

@@ -48,9 +48,9 @@ static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
 }
 
 template <int Dof>
-void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
-                      const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
-                      std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& rubbing) {
+void set_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
+                      const Friction& friction, const Motion<Dof>& motion, int threads,
+                      ConstraintSet<Dof>& constraints) {
   const bool rub = materials.rub(), box = friction.model == FrictionModel::box;
   const SpookParameters of_friction = rub ? friction_parameters(h, friction.c) : SpookParameters{};
   const auto bound = [&](const Contact& contact, double mu, int count) {
@@ -59,9 +59,10 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
                                             motion.inverse_mass[contact.j].linear, count);
     return friction_bound(mu, mass, std::abs(friction.gravity.dot(contact.n)), h);
   };
-  const std::size_t rows_of_one = rows_per_contact(rub);
-  rows.resize(first_row + rows_of_one * contacts.size());
-  rubbing.resize(rub && !box ? contacts.size() : 0);
+  constraints.rows_per_contact = rub ? 3 : 1;
+  std::vector<Row<Dof>>& rows = constraints.rows;
+  rows.resize(constraints.normal_row(contacts.size()));
+  constraints.friction.resize(rub && !box ? contacts.size() : 0);
   // Built in place, without a copy.
   const auto make_at = [&](std::size_t k, const Constraint<Dof>& constraint) {
     new (&rows[k]) Row<Dof>(make_row(constraint, motion));
@@ -80,7 +81,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
         touching = materials.of(contact.i, contact.j);
         if (rub) count = contacts_of_pair(contacts, c);
       }
-      const std::size_t normal = first_row + rows_of_one * c;
+      const std::size_t normal = constraints.normal_row(c);
       make_at(normal, contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)));
       if (!rub) continue;
       // Contacts of two boxes usually share one normal, and so these tangents.
@@ -92,18 +93,16 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
         along = tangents(contact.n);
       const auto tangential = friction_constraints<Dof>(contact, along, limit, of_friction);
       for (std::size_t t = 0; t < tangential.size(); ++t) make_at(normal + 1 + t, tangential[t]);
-      if (!box) rubbing[c] = {.normal = normal, .mu = touching.friction};
+      if (!box) constraints.friction[c] = {.normal = normal, .mu = touching.friction};
     }
   });
 }
 
 template Constraint<3> contact_constraint<3>(const Contact&, const SpookParameters&);
 template Constraint<6> contact_constraint<6>(const Contact&, const SpookParameters&);
-template void add_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
-                                  const Motion<3>&, int, std::size_t, std::vector<Row<3>>&,
-                                  std::vector<FrictionContact>&);
-template void add_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
-                                  const Motion<6>&, int, std::size_t, std::vector<Row<6>>&,
-                                  std::vector<FrictionContact>&);
+template void set_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
+                                  const Motion<3>&, int, ConstraintSet<3>&);
+template void set_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
+                                  const Motion<6>&, int, ConstraintSet<6>&);
 
 }  // namespace spook

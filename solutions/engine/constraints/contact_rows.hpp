@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "09_better_friction/better_friction.hpp"
 #include "engine/bodies/materials.hpp"
+#include "engine/constraints/constraint_set.hpp"
 
 namespace spook {
 
@@ -39,17 +39,11 @@ struct Friction {
   bool sliding_tangents = false;
 };
 
-/// Returns the number of rows of a contact: one for the normal, and two for the tangents if any pair has friction.
-inline int rows_per_contact(bool rub) {
-  return rub ? 3 : 1;
-}
-
-/// Adds the rows of each contact in turn: the normal row and, if any pair has friction, the rows of its two tangents.
-/// Friction rows have the bounds of the box; 0 for two passes; infinite for the cone. For the last two, `rubbing` lists
-/// the contacts. The rows are the same for any number of `threads`.
+/// Replaces the rows of the contacts. Friction rows have the bounds of the box; 0 for two passes; infinite for the cone.
+/// For the last two, `constraints.friction` lists the contacts. The rows are the same for any number of `threads`.
 template <int Dof>
-void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
-                      const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
-                      std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& rubbing);
+void set_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
+                      const Friction& friction, const Motion<Dof>& motion, int threads,
+                      ConstraintSet<Dof>& constraints);
 
 }  // namespace spook

@@ -59,8 +59,8 @@ struct Joint {
   /// The angle of a hinge after the last step, full turns included [rad]. Before the first step only its number of full
   /// turns matters.
   double angle = 0;
-  bool has_default_k = false,
-       has_default_k_turn = false;  ///< set by the world if k, k_turn follow masses and step
+  /// Set by the world if k, k_turn follow masses and step.
+  bool has_default_k = false, has_default_k_turn = false;
 
   /// Tells whether the joint is a hinge, a slider or a weld.
   bool is_guided() const { return kind > JointKind::rope; }

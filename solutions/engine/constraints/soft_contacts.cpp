@@ -62,17 +62,16 @@ static double larger(double a, double b) {
 }
 
 template <int Dof>
-void SoftContacts<Dof>::assign(const std::vector<Contact>& contacts, const std::vector<Row<Dof>>& rows,
-                               std::size_t first, const std::vector<FrictionContact>& friction) {
+void SoftContacts<Dof>::assign(const std::vector<Contact>& contacts, const ConstraintSet<Dof>& constraints) {
   normals_.clear();
   friction_.clear();
-  const std::size_t each = contacts.empty() ? 1 : (rows.size() - first) / contacts.size();
+  const std::vector<Row<Dof>>& rows = constraints.rows;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Row<Dof>& row = rows[first + each * c];
+    const Row<Dof>& row = rows[constraints.normal_row(c)];
     const double S = rigid_diagonal(row);
     normals_.push_back({point_row(row), contacts[c].gap, S, 1 / S, false});
   }
-  for (const FrictionContact& contact : friction) {
+  for (const FrictionContact& contact : constraints.friction) {
     const Row<Dof>&row1 = rows[contact.normal + 1], &row2 = rows[contact.normal + 2];
     const double s = stiffest_direction(row1, row2);
     friction_.push_back({point_row(row1), point_row(row2), s, 1 / s, row1.Sigma, contact.mu});
@@ -152,10 +151,9 @@ void SoftContacts<Dof>::move_gaps(double h, const std::vector<Twist<Dof>>& W) {
 }
 
 template <int Dof>
-void SoftContacts<Dof>::return_impulses(std::vector<Row<Dof>>& rows, std::size_t first) const {
-  const std::size_t each = friction_.empty() ? 1 : 3;
+void SoftContacts<Dof>::return_impulses(ConstraintSet<Dof>& constraints) const {
   for (std::size_t c = 0; c < normals_.size(); ++c) {
-    Row<Dof>* const of = &rows[first + each * c];
+    Row<Dof>* const of = &constraints.rows[constraints.normal_row(c)];
     of[0].lambda = normals_[c].row.lambda;
     if (friction_.empty()) continue;
     of[1].lambda = friction_[c].row1.lambda;

@@ -1,12 +1,13 @@
 #pragma once
-// Contacts of soft steps in a layout of their own. A sweep reads 520 bytes of a contact with friction, where the rows of
-// chapter 04 have 720. It writes λ alone, and computes the target of a row where the row is updated.
+// Contacts of soft steps in a layout of their own. A sweep reads 528 bytes of a contact with friction, where the rows of
+// chapter 04 have 768. It writes λ alone, and computes the target of a row where the row is updated.
 //
 //   G of a contact      -e and e in the linear parts, so e is stored once, and M⁻¹ Gᵀ is e times the inverse masses
 //   velocity of a row   u = e·(v_j - v_i) + A_i·ω_i + A_j·ω_j,  A the angular parts of G            Eq. (3.3)
 //   normal              Δλ = σ (w - u)/S - (1 - σ) λ,  λ >= 0;  w = -a g, or -g/h of an open gap    Eq. (10.21)
 //   friction            the nearest λ_t of the disc μ λ_n to λ_t + r/s                              Eq. (9.5), (9.6)
 #include "09_better_friction/better_friction.hpp"
+#include "engine/constraints/constraint_set.hpp"
 #include "engine/constraints/soft_rows.hpp"
 
 namespace spook {
@@ -26,9 +27,8 @@ struct PointRow {
 template <int Dof>
 class SoftContacts {
  public:
-  /// Takes the rows of contacts, from `first` on, with their λ. `friction` is empty without friction.
-  void assign(const std::vector<Contact>& contacts, const std::vector<Row<Dof>>& rows, std::size_t first,
-              const std::vector<FrictionContact>& friction);
+  /// Takes the rows of the contacts, with their λ.
+  void assign(const std::vector<Contact>& contacts, const ConstraintSet<Dof>& constraints);
 
   /// Adds M⁻¹ Gᵀ λ to W: Eq. (10.2).
   void warm_start(std::vector<Twist<Dof>>& W) const;
@@ -47,8 +47,8 @@ class SoftContacts {
   /// Tells whether λ of a contact was above 0 when the gaps moved.
   bool pressed(std::size_t contact) const { return normals_[contact].pressed; }
 
-  /// Copies λ to the rows from `first` on.
-  void return_impulses(std::vector<Row<Dof>>& rows, std::size_t first) const;
+  /// Copies λ to the rows of the contacts.
+  void return_impulses(ConstraintSet<Dof>& constraints) const;
 
  private:
   template <class Target>

@@ -89,8 +89,10 @@ static void turn(const Tangents& old, const Tangents& now, double* along) {
 }
 
 template <int Dof>
-void WarmStartCache::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
-                              const std::vector<Contact>& contacts, double h, int threads) {
+void WarmStartCache::remember(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts,
+                              double h, int threads) {
+  const std::vector<Row<Dof>>& rows = constraints.rows;
+  const std::size_t first = constraints.first_contact_row;
   joints_.resize(first);
   contact_rows_.resize(rows.size() - first);
   contacts_.resize(contacts.size());
@@ -99,25 +101,27 @@ void WarmStartCache::remember(const std::vector<Row<Dof>>& rows, std::size_t fir
   });
   for (std::size_t c = 0; c < contacts.size(); ++c)
     contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
-  const bool rub = !contacts.empty() && rows.size() - first == 3 * contacts.size();
-  tangents_.resize(rub ? contacts.size() : 0);
-  for (std::size_t c = 0; c < tangents_.size(); ++c) tangents_[c] = tangents_of(&rows[first + 3 * c]);
+  tangents_.resize(constraints.rows_per_contact == 3 ? contacts.size() : 0);
+  for (std::size_t c = 0; c < tangents_.size(); ++c)
+    tangents_[c] = tangents_of(&rows[constraints.normal_row(c)]);
   h_ = h;
 }
 
 template <int Dof>
-std::vector<double> WarmStartCache::impulses(const std::vector<Row<Dof>>& rows, std::size_t first,
+std::vector<double> WarmStartCache::impulses(const ConstraintSet<Dof>& constraints,
                                              const std::vector<Contact>& contacts, double h) const {
   if (joints_.empty() && contact_rows_.empty()) return {};
-  std::vector<double> all = joint_impulses(first, h);
-  all.resize(rows.size(), 0);
-  if (contacts.empty() || contacts_.empty()) return all;
-  const std::size_t each = contact_rows_.size() / contacts_.size();  // the same number in all steps of a world
+  std::vector<double> all = joint_impulses(constraints.first_contact_row, h);
+  all.resize(constraints.rows.size(), 0);
+  const std::size_t each =
+      constraints.rows_per_contact;  // another number if the first friction of a world is new
+  if (contacts.empty() || contacts_.empty() || contact_rows_.size() != each * contacts_.size()) return all;
   const double longer = h / h_;
   const auto copy = [&](std::size_t from, std::size_t to) {
-    double* of = &all[first + to * each];
+    const std::size_t normal = constraints.normal_row(to);
+    double* of = &all[normal];
     for (std::size_t n = 0; n < each; ++n) of[n] = longer * contact_rows_[from * each + n];
-    if (!tangents_.empty()) turn(tangents_[from], tangents_of(&rows[first + to * each]), of + 1);
+    if (!tangents_.empty()) turn(tangents_[from], tangents_of(&constraints.rows[normal]), of + 1);
   };
   match_all(contacts, contacts_, copy);
   return all;
@@ -130,13 +134,11 @@ std::vector<double> WarmStartCache::joint_impulses(std::size_t rows, double h) c
   return all;
 }
 
-template std::vector<double> WarmStartCache::impulses<3>(const std::vector<Row<3>>&, std::size_t,
-                                                         const std::vector<Contact>&, double) const;
-template std::vector<double> WarmStartCache::impulses<6>(const std::vector<Row<6>>&, std::size_t,
-                                                         const std::vector<Contact>&, double) const;
-template void WarmStartCache::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
-                                          double, int);
-template void WarmStartCache::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,
-                                          double, int);
+template std::vector<double> WarmStartCache::impulses<3>(const ConstraintSet<3>&, const std::vector<Contact>&,
+                                                         double) const;
+template std::vector<double> WarmStartCache::impulses<6>(const ConstraintSet<6>&, const std::vector<Contact>&,
+                                                         double) const;
+template void WarmStartCache::remember<3>(const ConstraintSet<3>&, const std::vector<Contact>&, double, int);
+template void WarmStartCache::remember<6>(const ConstraintSet<6>&, const std::vector<Contact>&, double, int);
 
 }  // namespace spook

@@ -11,6 +11,7 @@
 
 #include "05_friction_box/friction_box.hpp"
 #include "10_convergence/convergence.hpp"
+#include "engine/constraints/constraint_set.hpp"
 #include "engine/support/state_stream.hpp"
 
 namespace spook {
@@ -24,16 +25,16 @@ inline void state_of(StateStream& s, Tangents& tangents) {
 
 class WarmStartCache {
  public:
-  /// Stores the impulses of a finished step: `first` rows of joints, then the rows of contacts.
+  /// Stores the impulses of a finished step.
   template <int Dof>
-  void remember(const std::vector<Row<Dof>>& rows, std::size_t first, const std::vector<Contact>& contacts,
-                double h, int threads = 1);
+  void remember(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts, double h,
+                int threads = 1);
 
   /// Returns an initial impulse for each row of the next step; 0 for new joints and contacts. Empty if nothing is
   /// stored.
   template <int Dof>
-  std::vector<double> impulses(const std::vector<Row<Dof>>& rows, std::size_t first,
-                               const std::vector<Contact>& contacts, double h) const;
+  std::vector<double> impulses(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts,
+                               double h) const;
 
   /// Returns the initial impulses of the joints' rows, which come first in each step.
   std::vector<double> joint_impulses(std::size_t rows, double h) const;

@@ -105,7 +105,7 @@ void RattleJoints<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof
     rows[k].Sigma = joint_softness * rows[k].diagonal;
     if (lambda_.size() > 0) rows[k].lambda = lambda_[static_cast<Eigen::Index>(k)];
   }
-  lacking_.resize(static_cast<Eigen::Index>(rows.size()));
+  errors_.resize(static_cast<Eigen::Index>(rows.size()));
   if (factors_.factorise(rows)) return;
   report.converged = false;
   report.trouble = "the rows of the joints could not be factorised";
@@ -122,7 +122,7 @@ void RattleJoints<Dof>::turn_with_the_rows(const std::vector<Joint>& joints,
   for (Eigen::Index k = 0; k < n; ++k)
     for (Eigen::Index l = 0; l < n; ++l)
       A(k, l) = schur_entry(rows[static_cast<std::size_t>(l)], ahead[static_cast<std::size_t>(k)]);
-  impulses_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(lacking_);
+  impulses_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(errors_);
 }
 
 /// Applies the correction to the rows.
@@ -159,11 +159,11 @@ void RattleJoints<Dof>::drift(const std::vector<Joint>& joints, double h, const 
   for (int n = 0;; ++n) {
     move(bodies, h, rotation, ahead_);
     if (rows.empty()) break;
-    const double roundings = joint_gaps(joints, ahead_, lacking_) / std::abs(h);
+    const double roundings = joint_gaps(joints, ahead_, errors_) / std::abs(h);
     double most = 0;
-    for (double& lacking : lacking_) {
-      lacking /= h;
-      most = std::max(most, std::abs(lacking));
+    for (double& error : errors_) {
+      error /= h;
+      most = std::max(most, std::abs(error));
     }
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;
@@ -178,7 +178,7 @@ void RattleJoints<Dof>::drift(const std::vector<Joint>& joints, double h, const 
     if (turned)
       turn_with_the_rows(joints, rows);
     else
-      factors_.solve(lacking_, impulses_);
+      factors_.solve(errors_, impulses_);
     apply(rows, bodies.motion);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -193,9 +193,9 @@ void RattleJoints<Dof>::drift(const std::vector<Joint>& joints, double h, const 
 template <int Dof>
 void RattleJoints<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
   for (std::size_t k = 0; k < rows.size(); ++k)
-    lacking_[static_cast<Eigen::Index>(k)] =
+    errors_[static_cast<Eigen::Index>(k)] =
         rows[k].Gi.dot(bodies.motion.W[rows[k].i]) + rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
-  factors_.solve(lacking_, impulses_);
+  factors_.solve(errors_, impulses_);
   apply(rows, bodies.motion);
 }
 

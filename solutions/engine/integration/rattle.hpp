@@ -80,7 +80,7 @@ class RattleJoints {
 
   RowFactors factors_;
   Bodies<Dof> ahead_;  // the bodies after the drift
-  Vector lacking_;     // error of each row [m/s]
+  Vector errors_;      // error of each row [m/s]
   Vector impulses_;    // correction of each row [N s]
   Vector lambda_;      // of each row, so far in the step [N s]
 };

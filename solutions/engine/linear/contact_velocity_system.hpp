@@ -11,15 +11,11 @@ class ContactVelocitySystem {
   /// Numbers the dynamic bodies that have rows, in the order of the rows. Keeps the order of elimination if rows act on
   /// the same bodies as before.
   void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
-    number_.assign(inverse_mass.size(), -1);
+    number_.begin(rows, inverse_mass);
     mass_.clear();
+    for (const int body : number_.bodies()) mass_.push_back(mass_of(inverse_mass[body]));
     std::vector<std::pair<int, int>> pairs;
     for (const Row<Dof>& row : rows) {
-      for (const int body : {row.i, row.j})
-        if (inverse_mass[body].linear > 0 && number_[body] < 0) {
-          number_[body] = static_cast<int>(mass_.size());
-          mass_.push_back(mass_of(inverse_mass[body]));
-        }
       const std::pair pair(number_[row.i], number_[row.j]);
       const bool both = pair.first >= 0 && pair.second >= 0;
       if (both && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
@@ -81,7 +77,7 @@ class ContactVelocitySystem {
   }
 
  private:
-  std::vector<int> number_;  // of each dynamic body that has rows; -1 for other bodies
+  BodyNumbers number_;  // of the dynamic bodies that have rows
   std::vector<Block<Dof>> mass_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Twist<Dof>> v_;  // the right-hand side before solve()

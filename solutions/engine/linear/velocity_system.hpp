@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "11_direct/direct.hpp"
+#include "engine/linear/body_numbers.hpp"
 
 namespace spook {
 
@@ -35,15 +36,15 @@ class VelocitySystem {
   /// Sets new rows. Keeps the pattern if they act on the same bodies as the last ones.
   void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
     if (!are_alike(rows, inverse_mass)) look_at(rows, inverse_mass);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) mass_[b] = mass_of(inverse_mass[bodies_[b]]);
+    for (std::size_t b = 0; b < mass_.size(); ++b) mass_[b] = mass_of(inverse_mass[bodies()[b]]);
   }
-  const std::vector<int>& bodies() const { return bodies_; }
-  Eigen::Index size() const { return Dof * std::ssize(bodies_); }
+  const std::vector<int>& bodies() const { return number_.bodies(); }
+  Eigen::Index size() const { return Dof * std::ssize(bodies()); }
 
   /// Returns M + Gᵀ K G, with the `stiffness` K of each row [kg]; rows of stiffness 0 are skipped.
   const SparseMatrix& matrix(const std::vector<Row<Dof>>& rows, const Vector& stiffness) {
     std::fill(A_.valuePtr(), A_.valuePtr() + A_.nonZeros(), 0.0);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) add_lower(static_cast<int>(b), mass_[b]);
+    for (std::size_t b = 0; b < mass_.size(); ++b) add_lower(static_cast<int>(b), mass_[b]);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (stiffness[k] == 0) continue;
       const Row<Dof>& row = rows[k];
@@ -76,7 +77,7 @@ class VelocitySystem {
  private:
   bool are_alike(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) const {
     const auto alike = [&](const Row<Dof>& row, const std::pair<int, int>& ends) {
-      const auto moves = [&](int body) { return (inverse_mass[body].linear > 0) == (number_[body] >= 0); };
+      const auto moves = [&](int body) { return is_dynamic(inverse_mass[body]) == (number_[body] >= 0); };
       return std::pair(row.i, row.j) == ends && moves(row.i) && moves(row.j);
     };
     return number_.size() == inverse_mass.size() &&
@@ -84,19 +85,11 @@ class VelocitySystem {
   }
 
   void look_at(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
-    number_.assign(inverse_mass.size(), -1);
-    bodies_.clear();
+    number_.begin(rows, inverse_mass);
     ends_.clear();
     pairs_.clear();
-    for (const Row<Dof>& row : rows) {
-      ends_.emplace_back(row.i, row.j);
-      for (const int body : {row.i, row.j})
-        if (inverse_mass[body].linear > 0 && number_[body] < 0) {
-          number_[body] = static_cast<int>(bodies_.size());
-          bodies_.push_back(body);
-        }
-    }
-    mass_.resize(bodies_.size());
+    for (const Row<Dof>& row : rows) ends_.emplace_back(row.i, row.j);
+    mass_.resize(bodies().size());
     for (const Row<Dof>& row : rows) pairs_.push_back(pair_of(row));
     // Blocks below the diagonal, by column, each once.
     std::vector<std::pair<int, int>> blocks;
@@ -108,12 +101,12 @@ class VelocitySystem {
   }
 
   std::pair<int, int> pair_of(const Row<Dof>& row) const {
-    const auto [low, high] = std::minmax(number_[row.i], number_[row.j]);
-    return {low, high};
+    const int i = number_[row.i], j = number_[row.j];
+    return std::minmax(i, j);
   }
 
   void make_pattern(const std::vector<std::pair<int, int>>& blocks) {
-    const int n = static_cast<int>(bodies_.size());
+    const int n = static_cast<int>(bodies().size());
     std::vector<int> first(n + 1, 0);
     for (const auto& block : blocks) ++first[block.first + 1];
     for (int b = 0; b < n; ++b) first[b + 1] += first[b];
@@ -150,8 +143,7 @@ class VelocitySystem {
   }
 
   std::vector<std::pair<int, int>> ends_;  // of each row: bodies i and j
-  std::vector<int> number_;                // of each dynamic body that has rows; -1 for other bodies
-  std::vector<int> bodies_;
+  BodyNumbers number_;                     // of the dynamic bodies that have rows
   std::vector<Block<Dof>> mass_;
   std::vector<std::pair<int, int>> pairs_;  // of each row, the lower number first
   std::vector<int> below_;                  // block of each row in its column

@@ -114,10 +114,10 @@ SolveReport accelerated(ConeSweeps<Dof>& sweeps, const StopRule& stop) {
 }  // namespace
 
 template <int Dof>
-SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
+SolveReport anderson_solve(const std::vector<FrictionContact>& friction, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass,
                            const StopRule& stop) {
-  ConeSweeps<Dof> sweeps(rubbing, rows, V, inverse_mass);
+  ConeSweeps<Dof> sweeps(friction, rows, V, inverse_mass);
   SolveReport report = accelerated(sweeps, stop);
   sweeps.write_back();
   return report;
@@ -139,8 +139,8 @@ Solver<Dof> anderson(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
   return {.solve = [on_cones](const SolverInput<Dof>& s) -> SolverResult {
             const std::vector<FrictionContact> none;
-            return anderson_solve(on_cones ? s.rubbing : none, s.rows, s.V, s.bodies.motion.inverse_mass,
-                                  s.stop);
+            return anderson_solve(on_cones ? s.constraints.friction : none, s.rows(), s.V,
+                                  s.bodies.motion.inverse_mass, s.stop);
           },
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box};
 }

@@ -4,10 +4,10 @@
 
 namespace spook {
 
-/// Sweeps from the current λ and V, with the stop rule of chapter 04's solve. Contacts in `rubbing`, in the order of
+/// Sweeps from the current λ and V, with the stop rule of chapter 04's solve. Contacts in `friction`, in the order of
 /// their rows, are on their cones. Ends with the λ that changed least.
 template <int Dof>
-SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
+SolveReport anderson_solve(const std::vector<FrictionContact>& friction, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass,
                            const StopRule& stop);
 

@@ -33,13 +33,6 @@ namespace spook {
 
 namespace {
 
-/// Tells whether the row is the first of the three of a contact on a cone. Rows of contacts follow those of joints.
-template <int Dof>
-bool starts_contact_on_cone(int row, const SolverInput<Dof>& s) {
-  const int of_contacts = row - static_cast<int>(s.first_contact_row);
-  return of_contacts >= 0 && of_contacts % 3 == 0;
-}
-
 /// One of several islands as a separate system, with its own numbers of bodies.
 template <int Dof>
 struct IslandProblem {
@@ -47,31 +40,27 @@ struct IslandProblem {
   std::vector<Twist<Dof>> V;
   std::vector<InverseMass<Dof>> inverse_mass;
   std::vector<double> last;
-  std::vector<FrictionContact> rubbing;
+  std::vector<FrictionContact> friction;
   std::vector<int> bodies;  ///< their numbers in the world
 
-  /// `numbers` is work space: it has -1 for every body before and after the call.
+  /// `numbers` is work space: no body has a number before and after the call.
   IslandProblem(const std::vector<int>& members, const SolverInput<Dof>& s,
                 const std::vector<FrictionContact>& on_cones, const std::vector<double>& impulses,
-                std::vector<int>& numbers) {
-    const auto number = [&](int body) {
-      if (numbers[body] < 0) {
-        numbers[body] = static_cast<int>(bodies.size());
-        bodies.push_back(body);
-        V.push_back(s.V[body]);
-        inverse_mass.push_back(s.bodies.motion.inverse_mass[body]);
-      }
-      return numbers[body];
-    };
+                BodyNumbers& numbers) {
     for (const int k : members) {
-      if (!on_cones.empty() && starts_contact_on_cone(k, s))
-        rubbing.push_back({.normal = rows.size(), .mu = on_cones[(k - s.first_contact_row) / 3].mu});
-      rows.push_back(s.rows[k]);
-      rows.back().i = number(s.rows[k].i);
-      rows.back().j = number(s.rows[k].j);
+      if (const auto contact = s.constraints.contact_of_normal_row(k); contact && !on_cones.empty())
+        friction.push_back({.normal = rows.size(), .mu = on_cones[*contact].mu});
+      rows.push_back(s.rows()[k]);
+      rows.back().i = numbers.add(s.rows()[k].i);
+      rows.back().j = numbers.add(s.rows()[k].j);
       if (!impulses.empty()) last.push_back(impulses[k]);
     }
-    for (const int body : bodies) numbers[body] = -1;
+    bodies = numbers.bodies();
+    for (const int body : bodies) {
+      V.push_back(s.V[body]);
+      inverse_mass.push_back(s.bodies.motion.inverse_mass[body]);
+    }
+    numbers.clear();
   }
 
   void write_back(const std::vector<int>& members, std::vector<Row<Dof>>& all,
@@ -135,29 +124,31 @@ class Automatic {
   SolverResult operator()(const SolverInput<Dof>& s) {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
     hard_.resize(s.V.size(), false);
-    const auto all = (*islands_).of(s.rows, s.V.size());
+    const auto all = (*islands_).of(s.rows(), s.V.size());
     const std::vector<FrictionContact> none;
-    const std::vector<FrictionContact>& on_cones = on_cones_ ? s.rubbing : none;
+    const std::vector<FrictionContact>& on_cones = on_cones_ ? s.constraints.friction : none;
     if (all.size() == 1)
-      if (auto solved = few_at_once(*all.front(), s.rows, s.V, on_cones, s.stop)) return *std::move(solved);
-    const std::vector<double> last = s.last.impulses(s.rows, s.first_contact_row, s.contacts, s.h);
+      if (auto solved = few_at_once(*all.front(), s.rows(), s.V, on_cones, s.stop)) return *std::move(solved);
+    const std::vector<double> last = s.last.impulses(s.constraints, s.contacts, s.h);
     if (all.size() == 1)
-      return solve_one(*all.front(), s,
-                       {s.rows, s.V, s.bodies.motion.inverse_mass, last, on_cones, approach(*all.front(), s)});
+      return solve_one(
+          *all.front(), s,
+          {s.rows(), s.V, s.bodies.motion.inverse_mass, last, on_cones, approach(*all.front(), s)});
 
-    SolverResult outcome{SolveReport{.history = {}, .converged = true}};
-    outcome.row_updates = 0;
-    std::vector<int> numbers(s.V.size(), -1);
+    SolverResult result{SolveReport{.history = {}, .converged = true}};
+    result.row_updates = 0;
+    BodyNumbers numbers;
+    numbers.begin(s.V.size());
     for (const auto& island : all) {
       IslandProblem<Dof> copy(island->members, s, on_cones, last, numbers);
-      auto solved = few_at_once(*island, copy.rows, copy.V, copy.rubbing, s.stop);
+      auto solved = few_at_once(*island, copy.rows, copy.V, copy.friction, s.stop);
       if (!solved)
         solved = solve_one(
-            *island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last, copy.rubbing, approach(*island, s)});
-      outcome = merge_parallel(std::move(outcome), *solved);
-      copy.write_back(island->members, s.rows, s.V);
+            *island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last, copy.friction, approach(*island, s)});
+      result = merge_parallel(std::move(result), *solved);
+      copy.write_back(island->members, s.rows(), s.V);
     }
-    return outcome;
+    return result;
   }
 
   void state(StateStream& s) { s(hard_, calls_); }
@@ -174,12 +165,12 @@ class Automatic {
     std::vector<Twist<Dof>>& V;
     const std::vector<InverseMass<Dof>>& inverse_mass;
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
-    const std::vector<FrictionContact>& rubbing;
+    const std::vector<FrictionContact>& friction;
     double approach = 0;  ///< the largest, if the island is of moving contacts; else 0 [m/s]
 
     /// Tells whether factors can solve the island: on cones they need Σ > 0 in every row.
     bool has_factors() const {
-      return rubbing.empty() ||
+      return friction.empty() ||
              std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
     }
   };
@@ -187,11 +178,11 @@ class Automatic {
   /// Solves by dense factors, which do not depend on the last step.
   static std::optional<SolverResult> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
                                                  std::vector<Twist<Dof>>& V,
-                                                 const std::vector<FrictionContact>& rubbing,
+                                                 const std::vector<FrictionContact>& friction,
                                                  const StopRule& stop) {
-    if (!island.cost) island.cost = rubbing.empty() ? factor_cost(rows) : velocity_factor_cost(rows);
+    if (!island.cost) island.cost = friction.empty() ? factor_cost(rows) : velocity_factor_cost(rows);
     if (*island.cost > stop.max_sweeps) return {};
-    auto solved = small_direct(rows, V, stop, rubbing);
+    auto solved = small_direct(rows, V, stop, friction);
     if (!solved) return {};
     return without_updates(*std::move(solved));
   }
@@ -199,19 +190,19 @@ class Automatic {
   /// Returns the largest |B| of a normal row if the island is of contacts on cones, and a body is faster than forces
   /// make it in a step; else 0 [m/s].
   double approach(const Island<Dof>& island, const SolverInput<Dof>& s) const {
-    if (!on_cones_ || s.rubbing.empty()) return 0;
+    if (!on_cones_ || s.constraints.friction.empty()) return 0;
     const Motion<Dof>& motion = s.bodies.motion;
     const auto is_fast = [&](int body) {
-      return motion.inverse_mass[body].linear > 0 &&
+      return is_dynamic(motion.inverse_mass[body]) &&
              motion.W[body].template head<3>().norm() > motion.Wf[body].template head<3>().norm();
     };
     bool moves = false;
     double most = 0;
     for (const int k : island.members) {
-      if (k < static_cast<int>(s.first_contact_row)) return 0;
-      if (!starts_contact_on_cone(k, s)) continue;
-      most = std::max(most, std::abs(s.rows[k].B));
-      moves = moves || is_fast(s.rows[k].i) || is_fast(s.rows[k].j);
+      if (k < static_cast<int>(s.constraints.first_contact_row)) return 0;
+      if (!s.constraints.contact_of_normal_row(k)) continue;
+      most = std::max(most, std::abs(s.rows()[k].B));
+      moves = moves || is_fast(s.rows()[k].i) || is_fast(s.rows()[k].j);
     }
     return moves ? most : 0;
   }
@@ -220,9 +211,9 @@ class Automatic {
     const double sweeps = s.stop.max_sweeps;
     const bool moves = part.approach > 0;
     const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
-    const bool at_once = may && *island.cost <= sweeps, hard = may && !moves && is_hard(island, s.rows);
+    const bool at_once = may && *island.cost <= sweeps, hard = may && !moves && is_hard(island, s.rows());
     // On cones λ of the last step may be a solution still, which a sweep shows.
-    if (at_once || (hard && part.rubbing.empty())) {
+    if (at_once || (hard && part.friction.empty())) {
       start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island);
     }
@@ -232,8 +223,8 @@ class Automatic {
     if (!may || is_enough(swept.report, part, hard)) return swept;
     if (!moves)
       for (const int k : island.members) {
-        if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
-        if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
+        if (moves_i(s.rows()[k])) hard_[s.rows()[k].i] = true;
+        if (moves_j(s.rows()[k])) hard_[s.rows()[k].j] = true;
       }
     return append(std::move(swept), factorised(part, enough(part, s.stop), island), part.rows.size());
   }
@@ -251,20 +242,20 @@ class Automatic {
   }
 
   static SolverResult swept(const IslandView& part, const StopRule& stop) {
-    if (part.rubbing.empty())
+    if (part.friction.empty())
       return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
     start_from(part.last, part.rows, part.V);
-    return anderson_solve(part.rubbing, part.rows, part.V, part.inverse_mass,
+    return anderson_solve(part.friction, part.rows, part.V, part.inverse_mass,
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
   /// Solves to `enough` [m/s].
   static SolverResult factorised(const IslandView& part, double enough, Island<Dof>& island) {
-    if (part.rubbing.empty()) {
+    if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
-    ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
+    ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);
     return solve_on_cones(problem, enough, {.suffices = part.approach > 0 ? 0 : share_left});
   }
 

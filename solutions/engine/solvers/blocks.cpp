@@ -14,13 +14,13 @@ static double sweep_blocks(const SolverInput<Dof>& s) {
   const auto note = [&](double lacked) {  // NaN stays
     if (!(std::isnan(largest) || lacked <= largest)) largest = lacked;
   };
-  auto contact = s.rubbing.begin();
-  for (std::size_t k = 0; k < s.rows.size(); ++k) {
-    if (contact == s.rubbing.end() || contact->normal != k) {
-      note(s.rows[k].diagonal * std::abs(update_row(s.rows[k], s.V)));
+  auto contact = s.constraints.friction.begin();
+  for (std::size_t k = 0; k < s.rows().size(); ++k) {
+    if (contact == s.constraints.friction.end() || contact->normal != k) {
+      note(s.rows()[k].diagonal * std::abs(update_row(s.rows()[k], s.V)));
       continue;
     }
-    note(update_contact(*contact++, s.rows, s.V));
+    note(update_contact(*contact++, s.rows(), s.V));
     k += 2;
   }
   return largest;
@@ -30,7 +30,7 @@ template <int Dof>
 Solver<Dof> blocks() {
   return {.solve = [](const SolverInput<Dof>& s) -> SolverResult {
             SolveReport report;
-            report.converged = s.rows.empty();
+            report.converged = s.rows().empty();
             while (!report.converged && std::ssize(report.history) < s.stop.max_sweeps) {
               report.history.push_back(sweep_blocks(s));
               report.converged = report.history.back() <= s.stop.tolerance;

@@ -14,9 +14,9 @@ namespace spook {
 
 template <int Dof>
 static SolverResult solve_with_bounds(const SolverInput<Dof>& s) {
-  std::vector<Colour<Dof>> colours = packed(s.rows, s.V.size());
+  std::vector<Colour<Dof>> colours = packed(s.rows(), s.V.size());
   SolveReport report = solve_in_colours(colours, s.V, s.stop, s.threads);
-  unpack(colours, s.rows);
+  unpack(colours, s.rows());
   return report;
 }
 
@@ -33,14 +33,14 @@ static double sweep_colours(std::vector<Colour<Dof>>& colours, std::vector<Twist
 
 template <int Dof>
 static SolverResult solve_on_discs(const SolverInput<Dof>& s) {
-  std::vector<Colour<Dof>> colours = packed(s.rows, s.V.size(), s.rubbing);
+  std::vector<Colour<Dof>> colours = packed(s.rows(), s.V.size(), s.constraints.friction);
   SolveReport report;
   report.converged = colours.empty();
   while (!report.converged && std::ssize(report.history) < s.stop.max_sweeps) {
     report.history.push_back(sweep_colours(colours, s.V));
     report.converged = report.history.back() <= s.stop.tolerance;
   }
-  unpack(colours, s.rows);
+  unpack(colours, s.rows());
   return report;
 }
 

@@ -9,7 +9,7 @@ namespace spook {
 template <int Dof>
 Solver<Dof> cone_gauss_seidel() {
   return {.solve = [](const SolverInput<Dof>& s) -> SolverResult {
-            return cone_solve(s.rubbing, s.rows, s.V, s.stop);
+            return cone_solve(s.constraints.friction, s.rows(), s.V, s.stop);
           },
           .friction = FrictionModel::cone};
 }

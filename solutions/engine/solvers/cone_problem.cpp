@@ -9,14 +9,14 @@ namespace spook {
 
 template <int Dof>
 ConeProblem<Dof>::ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                              const std::vector<FrictionContact>& rubbing,
+                              const std::vector<FrictionContact>& friction,
                               const std::vector<InverseMass<Dof>>& inverse_mass,
                               ContactVelocitySystem<Dof>& system)
-    : rows_(rows), V_(V), rubbing_(rubbing), system_(system), asked_(rhs_norm(rows)) {
+    : rows_(rows), V_(V), friction_(friction), system_(system), asked_(rhs_norm(rows)) {
   system_.begin(rows, inverse_mass);
-  auto contact = rubbing.begin();
+  auto contact = friction.begin();
   for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(blocks_.back().count)) {
-    const bool rubs = contact != rubbing.end() && contact->normal == k;
+    const bool rubs = contact != friction.end() && contact->normal == k;
     blocks_.push_back({.row = k, .count = rubs ? 3 : 1});
     if (!rubs) continue;
     blocks_.back().mu = contact++->mu;
@@ -32,7 +32,7 @@ double ConeProblem<Dof>::row_residual(std::size_t k) const {
 
 template <int Dof>
 double ConeProblem<Dof>::residual() const {
-  return residual_on_cones(rubbing_, rows_, V_);
+  return residual_on_cones(friction_, rows_, V_);
 }
 
 template <int Dof>
@@ -59,7 +59,7 @@ void ConeProblem<Dof>::set_impulses(const std::vector<double>& lambda) {
 
 template <int Dof>
 void ConeProblem<Dof>::sweep(int count) {
-  for (int n = 0; n < count; ++n) sweep_on_cones(rubbing_, rows_, V_);
+  for (int n = 0; n < count; ++n) sweep_on_cones(friction_, rows_, V_);
   sweeps_ += count;
 }
 

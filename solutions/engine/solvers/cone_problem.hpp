@@ -21,10 +21,10 @@ struct ContactBlock {
 template <int Dof>
 class ConeProblem {
  public:
-  /// Keeps references to its arguments. `rubbing` lists the contacts on cones, in the order of their rows; if it is
+  /// Keeps references to its arguments. `friction` lists the contacts on cones, in the order of their rows; if it is
   /// empty, all rows have bounds only.
   ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-              const std::vector<FrictionContact>& rubbing, const std::vector<InverseMass<Dof>>& inverse_mass,
+              const std::vector<FrictionContact>& friction, const std::vector<InverseMass<Dof>>& inverse_mass,
               ContactVelocitySystem<Dof>& system);
 
   const Row<Dof>& row(std::size_t k) const { return rows_[k]; }
@@ -58,7 +58,7 @@ class ConeProblem {
  private:
   std::vector<Row<Dof>>& rows_;
   std::vector<Twist<Dof>>& V_;
-  const std::vector<FrictionContact>& rubbing_;
+  const std::vector<FrictionContact>& friction_;
   ContactVelocitySystem<Dof>& system_;
   std::vector<ContactBlock> blocks_;
   double asked_;

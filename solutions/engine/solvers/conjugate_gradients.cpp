@@ -10,9 +10,9 @@ namespace spook {
 template <int Dof>
 Solver<Dof> conjugate_gradients() {
   return {.solve = [](const SolverInput<Dof>& s) {
-    SolverResult outcome = conjugate_solve(s.rows, s.V, s.stop);
-    outcome.row_updates = 4 * std::ssize(outcome.report.history) * std::ssize(s.rows);
-    return outcome;
+    SolverResult result = conjugate_solve(s.rows(), s.V, s.stop);
+    result.row_updates = 4 * std::ssize(result.report.history) * std::ssize(s.rows());
+    return result;
   }};
 }
 

@@ -7,7 +7,7 @@ namespace spook {
 
 template <int Dof>
 Solver<Dof> gauss_seidel() {
-  return {.solve = [](const SolverInput<Dof>& s) -> SolverResult { return solve(s.rows, s.V, s.stop); }};
+  return {.solve = [](const SolverInput<Dof>& s) -> SolverResult { return solve(s.rows(), s.V, s.stop); }};
 }
 
 template Solver<3> gauss_seidel<3>();

@@ -19,7 +19,7 @@ namespace {
 
 /// Returns the stiffness of each joint that was under tension in the last step; none for a newer joint.
 std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
-  const std::vector<double> impulses = s.last.joint_impulses(s.first_contact_row, s.h);
+  const std::vector<double> impulses = s.last.joint_impulses(s.constraints.first_contact_row, s.h);
   std::vector<Stiffness> all;
   std::size_t row = 0;
   for (const Joint& joint : s.joints) {
@@ -39,9 +39,9 @@ std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
 
 /// Marks the rows of islands that have rows without bounds only, those of joints other than ropes.
 std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
-  std::vector<bool> free(s.rows.size(), true);
-  for (const std::vector<int>& island : islands(s.rows, s.V.size())) {
-    const auto is_bounded = [&](int k) { return s.rows[k].lo > -infinity; };
+  std::vector<bool> free(s.rows().size(), true);
+  for (const std::vector<int>& island : islands(s.rows(), s.V.size())) {
+    const auto is_bounded = [&](int k) { return s.rows()[k].lo > -infinity; };
     if (std::none_of(island.begin(), island.end(), is_bounded)) continue;
     for (const int k : island) free[static_cast<std::size_t>(k)] = false;
   }
@@ -50,42 +50,41 @@ std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
 
 /// Some rows of a system as a separate system. All rows of a joint, or of a contact, are in the same part.
 struct SubSystem {
-  std::vector<std::size_t> from;  ///< their indices in the whole system
-  std::vector<Row<3>> rows;
+  std::vector<std::size_t> from;  ///< indices of the rows in the whole system
+  ConstraintSet<3> constraints;
   std::vector<Twist<3>> V;
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
-  std::vector<FrictionContact> rubbing;
   WarmStartCache none;  ///< empty: impulses of the last step have other indices
 
   /// Selects the rows for which `wanted` is `value`; the contacts if `value` is false.
   SubSystem(const SolverInput<3>& s, const std::vector<bool>& wanted, bool value)
       : V(s.V.size(), Twist<3>::Zero()), contacts(value ? std::vector<Contact>{} : s.contacts) {
-    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    std::vector<Row<3>>& rows = constraints.rows;
+    for (std::size_t k = 0; k < s.rows().size(); ++k) {
+      if (k == s.constraints.first_contact_row) constraints.first_contact_row = rows.size();
       if (wanted[k] != value) continue;
       from.push_back(k);
-      rows.push_back(s.rows[k]);
+      rows.push_back(s.rows()[k]);
       apply_impulse(rows.back(), rows.back().lambda, V);
     }
+    if (s.constraints.first_contact_row == s.rows().size()) constraints.first_contact_row = rows.size();
+    constraints.rows_per_contact = s.constraints.rows_per_contact;
     std::size_t row = 0;
     for (const Joint& joint : s.joints) {
       if (wanted[row] == value) joints.push_back(joint);
       row += static_cast<std::size_t>(joint.rows());
     }
-    if (!value) rubbing = s.rubbing;
-    for (FrictionContact& contact : rubbing)
-      contact.normal -= s.rows.size() - rows.size();  // all contacts are here, after the joints
+    if (!value) constraints.friction = s.constraints.friction;
+    for (FrictionContact& contact : constraints.friction)
+      contact.normal -= s.rows().size() - rows.size();  // all contacts are here, after the joints
   }
 
   SolverInput<3> system(const SolverInput<3>& s) {
-    const auto in_joints = [&](std::size_t k) { return k < s.first_contact_row; };
-    const auto joint_rows = std::count_if(from.begin(), from.end(), in_joints);
-    return {.rows = rows,
+    return {.constraints = constraints,
             .V = V,
-            .rubbing = rubbing,
             .joints = joints,
             .contacts = contacts,
-            .first_contact_row = static_cast<std::size_t>(joint_rows),
             .bodies = s.bodies,
             .last = none,
             .gravity = s.gravity,
@@ -95,27 +94,28 @@ struct SubSystem {
   }
 
   void write_back(const SolverInput<3>& s) const {
+    const std::vector<Row<3>>& rows = constraints.rows;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      s.rows[from[k]].lambda = rows[k].lambda;
+      s.rows()[from[k]].lambda = rows[k].lambda;
       if (moves_i(rows[k])) s.V[rows[k].i] = V[rows[k].i];
       if (moves_j(rows[k])) s.V[rows[k].j] = V[rows[k].j];
     }
   }
 };
 
-class Stiff {
+class GeometricStiffness {
  public:
-  explicit Stiff(Solver<3> inner) : inner_(std::move(inner)) {}
+  explicit GeometricStiffness(Solver<3> inner) : inner_(std::move(inner)) {}
 
   SolverResult operator()(const SolverInput<3>& s) {
     const bool has_ropes = std::any_of(s.joints.begin(), s.joints.end(),
                                        [](const Joint& joint) { return joint.kind == JointKind::rope; });
-    if (s.first_contact_row == s.rows.size() && !has_ropes) return solve_links(s, s);
+    if (s.constraints.first_contact_row == s.rows().size() && !has_ropes) return solve_links(s, s);
     const std::vector<bool> free = free_of_contacts(s);
     if (std::find(free.begin(), free.end(), true) == free.end()) return inner_.solve(s);
     SubSystem links(s, free, true), others(s, free, false);
     const SolverResult first = solve_links(s, links.system(s));
-    const SolverResult both = append(first, inner_.solve(others.system(s)), others.rows.size());
+    const SolverResult both = append(first, inner_.solve(others.system(s)), others.constraints.rows.size());
     links.write_back(s);
     others.write_back(s);
     return both;
@@ -126,19 +126,19 @@ class Stiff {
  private:
   SolverResult solve_links(const SolverInput<3>& whole, const SolverInput<3>& links) {
     std::vector<bool> moved(links.V.size(), false);
-    for (const Row<3>& row : links.rows) moved[row.i] = moved[row.j] = true;
+    for (const Row<3>& row : links.rows()) moved[row.i] = moved[row.j] = true;
     std::vector<Stiffness> felt;
     for (const Stiffness& spring : link_stiffness(whole))
       if (moved[spring.i] && moved[spring.j]) felt.push_back(spring);
-    if (stiff_solve(links.rows, links.bodies.motion, felt, links.h, links.V, *factors_)) {
-      SolverResult outcome{SolveReport{.history = {}, .converged = true}};
-      outcome.row_updates = 0;
-      return outcome;
+    if (stiff_solve(links.rows(), links.bodies.motion, felt, links.h, links.V, *factors_)) {
+      SolverResult result{SolveReport{.history = {}, .converged = true}};
+      result.row_updates = 0;
+      return result;
     }
-    SolverResult outcome = inner_.solve(links);
-    outcome.row_updates = outcome.updates(links.rows.size());
-    outcome.report.trouble = "the stiff links could not be factorised";
-    return outcome;
+    SolverResult result = inner_.solve(links);
+    result.row_updates = result.updates(links.rows().size());
+    result.report.trouble = "the stiff links could not be factorised";
+    return result;
   }
 
   Solver<3> inner_;
@@ -153,10 +153,10 @@ Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
     if (!inner.solve)
       throw std::invalid_argument("the solver of geometric_stiffness must be one of solvers(), but is null");
     const FrictionModel friction = inner.friction;
-    return {.solve = Stiff(std::move(inner)),
+    return {.solve = GeometricStiffness(std::move(inner)),
             .friction = friction,
             .wants_last = true,
-            .state_of_solve = state_of_method<3, Stiff>};
+            .state_of_solve = state_of_method<3, GeometricStiffness>};
   }
   throw std::invalid_argument(
       "solver must not be geometric_stiffness for rigid bodies: it is for links of point masses");

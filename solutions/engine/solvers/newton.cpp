@@ -26,24 +26,25 @@ class Newton {
       : on_cones_(model == FrictionModel::cone), sweeps_(anderson<Dof>(model)) {}
 
   SolverResult operator()(const SolverInput<Dof>& s) {
-    start_from(s.last.impulses(s.rows, s.first_contact_row, s.contacts, s.h), s.rows, s.V);
+    start_from(s.last.impulses(s.constraints, s.contacts, s.h), s.rows(), s.V);
     const auto moves = [](const Row<Dof>& row) { return moves_i(row) || moves_j(row); };
     const auto soft = [](const Row<Dof>& row) { return row.Sigma > 0; };
-    if (!std::any_of(s.rows.begin(), s.rows.end(), moves) || !std::all_of(s.rows.begin(), s.rows.end(), soft))
+    if (!std::any_of(s.rows().begin(), s.rows().end(), moves) ||
+        !std::all_of(s.rows().begin(), s.rows().end(), soft))
       return sweeps_.solve(s);
     return on_cones_ ? on_cones(s) : on_bounds(s);
   }
 
  private:
   SolverResult on_cones(const SolverInput<Dof>& s) {
-    ConeProblem<Dof> problem(s.rows, s.V, s.rubbing, s.bodies.motion.inverse_mass, *system_);
+    ConeProblem<Dof> problem(s.rows(), s.V, s.constraints.friction, s.bodies.motion.inverse_mass, *system_);
     SolverResult result = solve_on_cones(problem, s.stop.tolerance, {.most = s.stop.max_sweeps});
     if (result.report.converged) return result;
-    return append(std::move(result), sweeps_.solve(s), s.rows.size());
+    return append(std::move(result), sweeps_.solve(s), s.rows().size());
   }
 
   SolverResult on_bounds(const SolverInput<Dof>& s) {
-    auto solved = primal_newton(s.rows, s.bodies.motion.inverse_mass, s.V, s.stop, *factors_);
+    auto solved = primal_newton(s.rows(), s.bodies.motion.inverse_mass, s.V, s.stop, *factors_);
     return solved ? without_updates(*std::move(solved)) : sweeps_.solve(s);
   }
 

@@ -22,10 +22,8 @@ static std::vector<double> heights(const SolverInput<Dof>& s, const Vec3& up) {
     const Attachment i = attachment(joint.i, joint.p_i, s.bodies), j = attachment(joint.j, joint.p_j, s.bodies);
     all.insert(all.end(), static_cast<std::size_t>(joint.rows()), up.dot(i.x + i.r + j.x + j.r) / 2);
   }
-  if (s.contacts.empty()) return all;
-  const std::size_t rows_per_contact = (s.rows.size() - s.first_contact_row) / s.contacts.size();
   for (const Contact& contact : s.contacts)
-    all.insert(all.end(), rows_per_contact,
+    all.insert(all.end(), s.constraints.rows_per_contact,
                up.dot(s.bodies.x[static_cast<std::size_t>(contact.j)] + contact.r_j));
   return all;
 }
@@ -50,8 +48,8 @@ std::vector<int> interleaved_order(std::size_t n) {
 
 template <int Dof>
 static std::vector<int> order_of(RowOrder order, const SolverInput<Dof>& s, std::mt19937_64& random) {
-  if (order == RowOrder::random) return random_order(static_cast<int>(s.rows.size()), random);
-  if (order == RowOrder::interleaved) return interleaved_order(s.rows.size());
+  if (order == RowOrder::random) return random_order(static_cast<int>(s.rows().size()), random);
+  if (order == RowOrder::interleaved) return interleaved_order(s.rows().size());
   return order_along(heights(s, order == RowOrder::down ? s.gravity : Vec3(-s.gravity)));
 }
 
@@ -61,7 +59,7 @@ struct OrderedSweeps {
   std::mt19937_64 random;
 
   SolverResult operator()(const SolverInput<Dof>& s) {
-    return solve_in_order(order_of(order, s, random), s.rows, s.V, s.stop);
+    return solve_in_order(order_of(order, s, random), s.rows(), s.V, s.stop);
   }
 
   void state(StateStream& s) {

@@ -31,7 +31,7 @@ class BarrierSystem {
   }
 
   /// Returns B - S λ, Eq. (4.6).
-  Vector lacking(const Vector& lambda) {
+  Vector residuals(const Vector& lambda) {
     Vector r = minus_S(lambda);
     for (std::size_t k = 0; k < rows_.size(); ++k) r[k] += rows_[k].B - rows_[k].Sigma * lambda[k];
     return r;
@@ -100,14 +100,14 @@ Interior start(const std::vector<Row<Dof>>& rows) {
   return now;
 }
 
-/// Returns Newton's step towards `target`: Eq. (11.8), (11.9). `lacking` is B - S λ.
+/// Returns Newton's step towards `target`: Eq. (11.8), (11.9). `residuals` is B - S λ.
 template <int Dof>
-Interior newton_step(const Interior& now, const Target& target, const Vector& lacking, const Vector& softness,
+Interior newton_step(const Interior& now, const Target& target, const Vector& residuals, const Vector& softness,
                      BarrierSystem<Dof>& system, int refinements) {
   const auto n = now.lambda.size();
   Interior step;
   step.lambda =
-      system.solve(lacking + target.lo.cwiseQuotient(now.room_lo) - target.hi.cwiseQuotient(now.room_hi),
+      system.solve(residuals + target.lo.cwiseQuotient(now.room_lo) - target.hi.cwiseQuotient(now.room_hi),
                    softness, refinements);
   step.room_lo = step.room_hi = step.push_lo = step.push_hi = Vector::Zero(n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -148,14 +148,14 @@ template <int Dof>
 Interior next(const std::vector<Row<Dof>>& rows, const Interior& now, const Vector& softness,
               BarrierSystem<Dof>& system) {
   const auto n = now.lambda.size();
-  const Vector none = Vector::Zero(n), lacking = system.lacking(now.lambda);
-  const Interior straight = newton_step(now, {none, none}, lacking, softness, system, 0);
+  const Vector none = Vector::Zero(n), residuals = system.residuals(now.lambda);
+  const Interior straight = newton_step(now, {none, none}, residuals, softness, system, 0);
   const double far = longest_step(now, straight);
   const double before = mean_product(now), after = mean_product(moved(now, straight, far));
   const Vector centre = Vector::Constant(n, before > 0 ? std::pow(after / before, 3) * before : 0);
   const Target target{.lo = centre - straight.room_lo.cwiseProduct(straight.push_lo),
                       .hi = centre - straight.room_hi.cwiseProduct(straight.push_hi)};
-  const Interior step = newton_step(now, target, lacking, softness, system, 2);
+  const Interior step = newton_step(now, target, residuals, softness, system, 2);
   const double longest = longest_step(now, step);
   Interior there = moved(now, step, longest < 1 ? (0.9 + 0.0999 * far) * longest : 1);
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -21,13 +21,13 @@ struct State {
     apply_impulse(row, to - lambda[k], V);
     lambda[k] = to;
   }
-  double lacking(const Row<Dof>& row, Eigen::Index k) const {  // Eq. (4.6)
+  double row_residual(const Row<Dof>& row, Eigen::Index k) const {  // Eq. (4.6)
     return row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * lambda[k];
   }
   /// Returns the energy ½ λᵀ S λ - Bᵀ λ [J], which the solution minimises.
   double energy(const std::vector<Row<Dof>>& rows) const {
     double sum = 0;
-    for (std::size_t k = 0; k < rows.size(); ++k) sum -= lambda[k] * (rows[k].B + lacking(rows[k], k)) / 2;
+    for (std::size_t k = 0; k < rows.size(); ++k) sum -= lambda[k] * (rows[k].B + row_residual(rows[k], k)) / 2;
     return sum;
   }
 };
@@ -45,7 +45,7 @@ ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
     const Row<Dof>& row = rows[k];
     const auto within = [&](double lambda) { return row.lo < lambda && lambda < row.hi; };
     if (!within(now.lambda[k])) continue;
-    const double updated = now.lambda[k] + now.lacking(row, k) / row.diagonal;
+    const double updated = now.lambda[k] + now.row_residual(row, k) / row.diagonal;
     if (within(updated))
       found.stiffness[k] = 1 / row.Sigma;
     else
@@ -60,22 +60,22 @@ template <int Dof>
 void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const Vector& stiffness,
                 const VelocityFactors& factors, double enough, State<Dof>& state) {
   constexpr int refinements = 8;
-  Vector lacking = Vector::Zero(stiffness.size());
+  Vector residuals = Vector::Zero(stiffness.size());
   double last = infinity;
   for (int n = 0; n <= refinements; ++n) {
     Vector right = Vector::Zero(on.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (stiffness[k] == 0) continue;
-      lacking[k] = state.lacking(rows[k], k);
-      on.scatter(rows[k], stiffness[k] * lacking[k], right);
+      residuals[k] = state.row_residual(rows[k], k);
+      on.scatter(rows[k], stiffness[k] * residuals[k], right);
     }
-    const double most = lacking.cwiseAbs().maxCoeff();
+    const double most = residuals.cwiseAbs().maxCoeff();
     if (!(most < 0.1 * last) || (n > 0 && most <= enough)) return;
     last = most;
     const Vector v = factors.solve(std::move(right));
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (stiffness[k] != 0)
-        state.move(rows[k], k, state.lambda[k] + stiffness[k] * (lacking[k] - on.gather(rows[k], v)));
+        state.move(rows[k], k, state.lambda[k] + stiffness[k] * (residuals[k] - on.gather(rows[k], v)));
   }
 }
 

@@ -28,38 +28,36 @@ static void forget_gap(Row<Dof>& row, const Motion<Dof>& motion) {
 }
 
 template <int Dof>
-std::vector<Row<Dof>> rows_without_recovery(const SolverInput<Dof>& s, double ignored,
-                                            const std::function<bool(const Contact&)>& may_throw) {
-  const std::size_t joints = s.first_contact_row, contacts = s.contacts.size();
-  if (contacts == 0) return {};
-  const std::size_t rows_of_one = (s.rows.size() - joints) / contacts;
+std::optional<ConstraintSet<Dof>> constraints_without_recovery(
+    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw) {
   const Motion<Dof>& motion = s.bodies.motion;
-  std::vector<bool> recovers(s.rows.size(), false);
+  std::vector<bool> recovers(s.rows().size(), false);
   bool any = false;
-  for (std::size_t c = 0; c < contacts; ++c) {
-    const std::size_t k = joints + rows_of_one * c;
-    if (!(s.rows[k].lambda > 0) || !(opening_speed(s.rows[k], motion, &s.V) > ignored)) continue;
+  for (std::size_t c = 0; c < s.contacts.size(); ++c) {
+    const std::size_t k = s.constraints.normal_row(c);
+    const Row<Dof>& row = s.rows()[k];
+    if (!(row.lambda > 0) || !(opening_speed(row, motion, &s.V) > ignored)) continue;
     recovers[k] = !may_throw || !may_throw(s.contacts[c]);
     any = any || recovers[k];
   }
   if (!any) return {};
 
-  std::vector<Row<Dof>> rows = s.rows;
-  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
+  ConstraintSet<Dof> without = s.constraints;
+  for (const std::vector<int>& island : islands(without.rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
-    for (const int row : island) {
-      const auto k = static_cast<std::size_t>(row);
-      if (k < joints || (k - joints) % rows_of_one != 0) continue;
-      const Contact& contact = s.contacts[(k - joints) / rows_of_one];
-      if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(rows[k], motion);
+    for (const int k : island) {
+      const auto c = without.contact_of_normal_row(static_cast<std::size_t>(k));
+      if (!c) continue;
+      const Contact& contact = s.contacts[*c];
+      if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(without.rows[k], motion);
     }
   }
-  return rows;
+  return without;
 }
 
-template std::vector<Row<3>> rows_without_recovery(const SolverInput<3>&, double,
-                                                   const std::function<bool(const Contact&)>&);
-template std::vector<Row<6>> rows_without_recovery(const SolverInput<6>&, double,
-                                                   const std::function<bool(const Contact&)>&);
+template std::optional<ConstraintSet<3>> constraints_without_recovery(
+    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&);
+template std::optional<ConstraintSet<6>> constraints_without_recovery(
+    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&);
 
 }  // namespace spook

@@ -11,7 +11,7 @@
 // Σ = 0 leaves the corners of a box without one solution; a thousandth of S_kk is taken, which leaves a thousandth of
 // the speed that was stopped, inwards.
 #include <functional>
-#include <vector>
+#include <optional>
 
 #include "engine/solvers/solver.hpp"
 
@@ -21,7 +21,7 @@ namespace spook {
 /// that pushes opens faster than `ignored` [m/s]. `may_throw` says which contacts are springs, whose rebound stays; null:
 /// none.
 template <int Dof>
-std::vector<Row<Dof>> rows_without_recovery(const SolverInput<Dof>& s, double ignored,
-                                            const std::function<bool(const Contact&)>& may_throw);
+std::optional<ConstraintSet<Dof>> constraints_without_recovery(
+    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw);
 
 }  // namespace spook

@@ -36,7 +36,7 @@ const std::vector<NamedSolver<Dof>>& solvers() {
   using enum FrictionModel;
   static const std::vector<NamedSolver<Dof>> table = {
       {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>,
-       &cone_gauss_seidel<Dof>},
+       &cone_gauss_seidel<Dof>, true},
       {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps", "iteration",
        &conjugate_gradients<Dof>, nullptr},
       {"anderson", "Gauss-Seidel with Anderson acceleration", "sweep", &anderson_of<Dof, box>,

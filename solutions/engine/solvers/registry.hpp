@@ -100,6 +100,7 @@ struct NamedSolver {
   Solver<Dof> (*make)();
   /// Creates the solver with friction on Coulomb's cones; null if it has no such version.
   Solver<Dof> (*make_on_cones)();
+  bool takes_row_order = false;  ///< ordered_gauss_seidel is this solver in another order
 };
 
 /// All solvers; the first is the default. The names do not depend on Dof.

@@ -29,7 +29,7 @@ bool factorise(const std::vector<Row<Dof>>& rows, DenseLdlt& factors) {
 
 /// Returns the residual of each row, Eq. (4.6).
 template <int Dof>
-Few lacking(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V) {
+Few residuals(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V) {
   Few r;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row<Dof>& row = rows[k];
@@ -50,7 +50,7 @@ void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& 
 
 template <int Dof>
 std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                        const StopRule& stop, const std::vector<FrictionContact>& rubbing) {
+                                        const StopRule& stop, const std::vector<FrictionContact>& friction) {
   require_positive("max_sweeps", stop.max_sweeps);
   require_not_negative("tolerance", stop.tolerance);
   const std::size_t n = rows.size();
@@ -64,16 +64,16 @@ std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector
   factors.solve(lambda.data());
   for (std::size_t k = 0; k < n; ++k)
     if (!(rows[k].lo < lambda[k] && lambda[k] < rows[k].hi)) return {};
-  for (const auto& [k, mu] : rubbing)
+  for (const auto& [k, mu] : friction)
     if (!(std::hypot(lambda[k + 1], lambda[k + 2]) < mu * lambda[k])) return {};
 
   std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
   for (Row<Dof>& row : rows) row.lambda = 0;
   add(lambda, rows, V);
-  Few more = lacking(rows, V);  // V contains the round-off of λ/m
+  Few more = residuals(rows, V);  // V contains the round-off of λ/m
   factors.solve(more.data());
   add(more, rows, V);
-  const double left = rubbing.empty() ? residual(rows, V) : residual_on_cones(rubbing, rows, V);
+  const double left = friction.empty() ? residual(rows, V) : residual_on_cones(friction, rows, V);
   if (!(left <= std::max(stop.tolerance, roundings(rows)))) return {};
   return SolveReport{.history = {left}, .converged = true};
 }

@@ -20,10 +20,11 @@ inline constexpr int most_dense_rows = DenseLdlt::most, most_dense_rows_on_bodie
 
 /// Solves the rows for any initial V; the history has one entry. Returns nothing without rows, for too many rows, if a
 /// pivot fails Eq. (11.4), if a λ is not strictly within its bounds, or if the residual exceeds stop.tolerance and the
-/// round-off of Eq. (11.13). Then rows and V are unchanged, or V is M⁻¹ Gᵀ λ with each λ within its bounds. `rubbing`:
+/// round-off of Eq. (11.13). Then rows and V are unchanged, or V is M⁻¹ Gᵀ λ with each λ within its bounds. `friction`:
 /// contacts whose friction must also be within its cone, Eq. (9.3). Throws as direct_solve does.
 template <int Dof>
 std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                        const StopRule& stop, const std::vector<FrictionContact>& rubbing = {});
+                                        const StopRule& stop,
+                                        const std::vector<FrictionContact>& friction = {});
 
 }  // namespace spook

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "engine/bodies/bodies.hpp"
+#include "engine/constraints/constraint_set.hpp"
 #include "engine/constraints/contact_rows.hpp"
 #include "engine/constraints/joints.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
@@ -20,19 +21,18 @@ namespace spook {
 /// box, the bounds of friction rows. It only reads all other members.
 template <int Dof>
 struct SolverInput {
-  std::vector<Row<Dof>>& rows;  ///< of the joints, then of the contacts; λ is the initial guess
-  std::vector<Twist<Dof>>& V;   ///< velocity change of each body by the initial λ
-  /// Contacts whose friction follows the normal impulse, in the order of their rows.
-  const std::vector<FrictionContact>& rubbing;
-  const std::vector<Joint>& joints;      ///< with k and d
-  const std::vector<Contact>& contacts;  ///< all with the same number of rows
-  std::size_t first_contact_row;
+  ConstraintSet<Dof>& constraints;   ///< the rows of `joints` and `contacts`; λ is the initial guess
+  std::vector<Twist<Dof>>& V;        ///< velocity change of each body by the initial λ
+  const std::vector<Joint>& joints;  ///< with k and d
+  const std::vector<Contact>& contacts;
   const Bodies<Dof>& bodies;   ///< current positions, and the motion from which the rows were built
   const WarmStartCache& last;  ///< impulses of the last step, if wants_last is set
   Vec3 gravity;                ///< [m/s²]
   double h;                    ///< [s]
   StopRule stop;
   int threads = 1;  ///< worker threads; the result is the same for any number
+
+  std::vector<Row<Dof>>& rows() const { return constraints.rows; }
 };
 
 /// A solver, which may keep caches for the next step. A copy has its own state: copies of a world share nothing.

@@ -12,9 +12,9 @@ std::int64_t SolverResult::updates(std::size_t rows) const {
 }
 
 SolverResult without_updates(SolveReport report) {
-  SolverResult outcome = std::move(report);
-  outcome.row_updates = 0;
-  return outcome;
+  SolverResult result = std::move(report);
+  result.row_updates = 0;
+  return result;
 }
 
 double estimated_error(double residual, const std::vector<double>& history) {

@@ -64,10 +64,10 @@ struct Reach {
 
 template <int Dof>
 std::vector<Reach> reaches(const SolverInput<Dof>& s, const std::vector<int>& place) {
-  std::vector<Reach> all(s.rows.size());
+  std::vector<Reach> all(s.rows().size());
   parallel_for(s.threads, all.size(), [&](std::size_t, std::size_t k, std::size_t end) {
     for (; k < end; ++k) {
-      const auto [low, high] = std::minmax(place[s.rows[k].i], place[s.rows[k].j]);
+      const auto [low, high] = std::minmax(place[s.rows()[k].i], place[s.rows()[k].j]);
       all[k] = {.low = low < 0 ? high : low, .high = high};
     }
   });
@@ -147,7 +147,7 @@ std::vector<Stripe> divided(const SolverInput<Dof>& s, const std::vector<int>& p
   }
   for (std::size_t k = 0; k < reach.size(); ++k) {
     if (reach[k].low < reach[k].high) continue;  // two dynamic bodies
-    for (int* body : {&s.rows[k].i, &s.rows[k].j})
+    for (int* body : {&s.rows()[k].i, &s.rows()[k].j})
       if (place[*body] < 0) ground.lend(stripe_of(reach[k]), *body);
   }
   return stripes;
@@ -156,16 +156,16 @@ std::vector<Stripe> divided(const SolverInput<Dof>& s, const std::vector<int>& p
 template <int Dof>
 SolverResult solve_in_stripes(const SolverInput<Dof>& s) {
   SolveReport report;
-  report.converged = s.rows.empty();
+  report.converged = s.rows().empty();
   if (report.converged) return report;
   OwnGround<Dof> ground(s);
   std::vector<Stripe> stripes = divided(s, places(s.bodies), ground);
   const std::size_t rest = stripes.size() - 1, rounds = stripes[rest].rows.empty() ? 2 : 3;
-  const std::size_t threads = std::clamp<std::size_t>((rest + 1) / 2, 1, shares_of(s.threads, s.rows.size()));
+  const std::size_t threads = std::clamp<std::size_t>((rest + 1) / 2, 1, shares_of(s.threads, s.rows().size()));
 
   std::size_t round = 0;
   const auto work = [&](std::size_t thread) {
-    const auto sweep_one = [&](Stripe& stripe) { stripe.lacked = sweep_in_order(stripe.rows, s.rows, s.V); };
+    const auto sweep_one = [&](Stripe& stripe) { stripe.lacked = sweep_in_order(stripe.rows, s.rows(), s.V); };
     if (round == 2) {
       if (thread == 0) sweep_one(stripes[rest]);
       return;

@@ -17,9 +17,9 @@ struct TwoPasses {
 
   SolverResult operator()(const SolverInput<Dof>& s) const {
     SolverResult first = inner.solve(s);
-    if (s.rubbing.empty()) return first;
-    limit_friction(s.rubbing, s.rows);  // Eq. (9.1)
-    return append(std::move(first), inner.solve(s), s.rows.size());
+    if (s.constraints.friction.empty()) return first;
+    limit_friction(s.constraints.friction, s.rows());  // Eq. (9.1)
+    return append(std::move(first), inner.solve(s), s.rows().size());
   }
 
   void state(StateStream& s) { inner.state(s); }

@@ -50,13 +50,12 @@ void World<Dof>::step_part(double h) {
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
-    rows_.clear();
-    first_contact_row_ = 0;
+    constraints_.clear();
   } else {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
-  if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
-  if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
+  if (!rows().empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
+  if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
   if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
@@ -107,9 +106,9 @@ void World<Dof>::evaluate_forces(double h) {
 /// does not change, since load and constraint forces cancel.
 template <int Dof>
 void World<Dof>::shift_to_step(double h) {
-  if (!rows_.empty() && V_.size() != bodies_.size()) return;  // bodies were added or removed
+  if (!rows().empty() && V_.size() != bodies_.size()) return;  // bodies were added or removed
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_.is_fixed(i) || (!rows_.empty() && V_[i] != Twist<Dof>::Zero())) continue;
+    if (bodies_.is_fixed(i) || (!rows().empty() && V_[i] != Twist<Dof>::Zero())) continue;
     const Vec3 v = bodies_.motion.W[i].template head<3>();
     const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
     bodies_.motion.W[i].template head<3>() = half_step_start(v, forces_[i], inverse_mass, h - h_);
@@ -227,40 +226,37 @@ void World<Dof>::set_default_stiffness(double h) {
 /// Overwrites the contact rows of the last step, since those of a large pile take many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
-  first_contact_row_ = 0;
+  constraints_.first_contact_row = 0;
   if (!joints_.empty()) {
-    rows_.clear();
-    add_joint_rows(joints_, h, bodies_, rows_);
-    first_contact_row_ = rows_.size();
+    constraints_.rows.clear();
+    add_joint_rows(joints_, h, bodies_, constraints_.rows);
+    constraints_.first_contact_row = rows().size();
   }
   const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = settings_.solver.friction,
                           .sliding_tangents = settings_.sliding_tangents};
-  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
-                   rows_, rubbing_);
+  set_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, constraints_);
 }
 
 template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) warm_start_rows(h);
-  SolverResult outcome = settings_.solver.solve(solver_input(rows_, V_, start_, h, stop_rule(h)));
-  row_updates_ += outcome.updates(rows_.size());
+  SolverResult outcome = settings_.solver.solve(solver_input(constraints_, V_, start_, h, stop_rule(h)));
+  row_updates_ += outcome.updates(rows().size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
-    start_.remember(rows_, first_contact_row_, contacts_, h, settings_.threads);
+    start_.remember(constraints_, contacts_, h, settings_.threads);
 }
 
 template <int Dof>
-SolverInput<Dof> World<Dof>::solver_input(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+SolverInput<Dof> World<Dof>::solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
                                           const WarmStartCache& last, double h, const StopRule& stop) {
-  return {.rows = rows,
+  return {.constraints = constraints,
           .V = V,
-          .rubbing = rubbing_,
           .joints = joints_,
           .contacts = contacts_,
-          .first_contact_row = first_contact_row_,
           .bodies = bodies_,
           .last = last,
           .gravity = settings_.gravity,
@@ -271,8 +267,8 @@ SolverInput<Dof> World<Dof>::solver_input(std::vector<Row<Dof>>& rows, std::vect
 
 template <int Dof>
 void World<Dof>::warm_start_rows(double h) {
-  const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
-  if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
+  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h);
+  if (!impulses.empty()) warm_start(impulses, constraints_.rows, V_);  // Eq. (10.2)
 }
 
 /// Returns the stop rule, with a lower bound of the tolerance. A row's residual, Eq. (4.6), is a sum of four rounded
@@ -293,13 +289,13 @@ void World<Dof>::integrate(double h) {
     Twist<Dof>& W = bodies_.motion.W[i];
     // W <- W + h M⁻¹ f + V
     Vec3 v = kick(W.template head<3>(), forces_[i], bodies_.motion.inverse_mass[i].linear, h);
-    if (!rows_.empty()) v += V_[i].template head<3>();
+    if (!rows().empty()) v += V_[i].template head<3>();
     W.template head<3>() = v;
     bodies_.x[i] = drift(bodies_.x[i], v, h);
     if constexpr (Dof == 6) {
       Vec3 omega = W.template tail<3>();
       omega += turned_by_torques(i, omega, h);
-      if (!rows_.empty()) omega += V_[i].template tail<3>();
+      if (!rows().empty()) omega += V_[i].template tail<3>();
       W.template tail<3>() = turned(i, omega, h);
     }
     if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();

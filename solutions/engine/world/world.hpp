@@ -329,7 +329,7 @@ class World {
   /// report of its solver. All are empty before the first step.
   const std::vector<Vec3>& forces() const { return forces_; }
   const std::vector<Vec3>& torques() const { return torques_; }  ///< with a wrench only [N m]
-  const std::vector<Row<Dof>>& rows() const { return rows_; }
+  const std::vector<Row<Dof>>& rows() const { return constraints_.rows; }
   const SolveReport& solved() const { return solved_; }
 
   /// Returns the stop rule of a step of `h` [s]: that of the settings, with a tolerance of at least four rounding
@@ -383,7 +383,7 @@ class World {
   void set_default_stiffness(double h);
   void build_rows(double h);
   void solve_rows(double h);
-  SolverInput<Dof> solver_input(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+  SolverInput<Dof> solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
   void take_out_recovery(double h);
@@ -427,21 +427,19 @@ class World {
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint
   std::size_t next_joint_row_ = 0;
-  std::vector<std::size_t> hinges_;  // indices of the hinges
-  std::vector<Vec3> forces_;         // on each body at x_n [N]
-  std::vector<Vec3> torques_;        // with a wrench only [N m]
-  std::vector<Contact> contacts_;    // of the last step
-  std::vector<Row<Dof>> rows_;       // of the joints, then of the contacts
-  std::size_t first_contact_row_ = 0;
-  std::vector<FrictionContact> rubbing_;  // where friction follows what presses
-  std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
-  std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
-  std::vector<SoftGap> soft_gaps_;        // of the rows of joints, in soft steps
-  SoftContacts<Dof> soft_contacts_;       // in soft steps
-  std::vector<Row<Dof>> soft_joints_;     // of the joints where they are now, in soft steps
-  std::vector<Twist<Dof>> at_rest_;       // velocities that soft rows are built with
-  std::vector<Approach> approaches_;      // of a soft step, for restitution
-  WarmStartCache start_;                  // for the rows of the next step
+  std::vector<std::size_t> hinges_;    // indices of the hinges
+  std::vector<Vec3> forces_;           // on each body at x_n [N]
+  std::vector<Vec3> torques_;          // with a wrench only [N m]
+  std::vector<Contact> contacts_;      // of the last step
+  ConstraintSet<Dof> constraints_;     // the rows of joints_ and contacts_
+  std::vector<Twist<Dof>> V_;          // what the rows add to each velocity
+  std::vector<Twist<Dof>> recovered_;  // what is taken out of each velocity again, Eq. (7.17)
+  std::vector<SoftGap> soft_gaps_;     // of the rows of joints, in soft steps
+  SoftContacts<Dof> soft_contacts_;    // in soft steps
+  std::vector<Row<Dof>> soft_joints_;  // of the joints where they are now, in soft steps
+  std::vector<Twist<Dof>> at_rest_;    // velocities that soft rows are built with
+  std::vector<Approach> approaches_;   // of a soft step, for restitution
+  WarmStartCache start_;               // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;
   std::int64_t steps_ = 0;

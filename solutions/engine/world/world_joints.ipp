@@ -145,10 +145,8 @@ void World<Dof>::forget_the_last_step() {
     joint_rows_.push_back(next_joint_row_);
     next_joint_row_ += static_cast<std::size_t>(joint.rows());
   }
-  rows_.clear();
-  rubbing_.clear();
+  constraints_.clear();
   contacts_.clear();
-  first_contact_row_ = 0;
   start_ = {};
 }
 
@@ -164,7 +162,7 @@ const Row<Dof>* World<Dof>::joint_row(int joint, int row) const {
   const std::size_t j = joint_index(joint);
   if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
   const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
-  return r < first_contact_row_ ? &rows_[r] : nullptr;  // a new joint had no rows
+  return r < constraints_.first_contact_row ? &rows()[r] : nullptr;  // a new joint had no rows
 }
 
 template <int Dof>
@@ -179,7 +177,7 @@ Vec3 World<Dof>::joint_force(int joint) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = 0; k < joints_[j].rows(); ++k) {
     const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
-    if (row < first_contact_row_) impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+    if (row < constraints_.first_contact_row) impulse += rows()[row].lambda * rows()[row].Gj.template head<3>();
   }
   return h_ > 0 ? Vec3(impulse / h_) : impulse;
 }
@@ -235,7 +233,7 @@ template <int Dof>
 void World<Dof>::add_work_of_drives() {
   const std::vector<Twist<Dof>>& W = bodies_.motion.W;
   const auto add = [&](std::size_t joint, int of_joint) {
-    const Row<Dof>& row = rows_[joint_rows_[joint] + static_cast<std::size_t>(of_joint)];
+    const Row<Dof>& row = rows()[joint_rows_[joint] + static_cast<std::size_t>(of_joint)];
     const auto both = [&](int body) { return Twist<Dof>(2 * W[body] + bodies_.motion.Wf[body] + V_[body]); };
     work_of_drives_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
   };
@@ -244,7 +242,7 @@ void World<Dof>::add_work_of_drives() {
     if (joints_[n].motor) add(n, joints_[n].rows() - 1);
   }
   if (kinematic_.empty()) return;
-  for (const Row<Dof>& row : rows_) {
+  for (const Row<Dof>& row : rows()) {
     if (bodies_.is_fixed(static_cast<std::size_t>(row.i))) work_of_drives_ -= row.lambda * row.Gi.dot(W[row.i]);
     if (bodies_.is_fixed(static_cast<std::size_t>(row.j))) work_of_drives_ -= row.lambda * row.Gj.dot(W[row.j]);
   }

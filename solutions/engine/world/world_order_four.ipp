@@ -6,7 +6,7 @@ namespace spook {
 template <int Dof>
 void World<Dof>::step_composed(double h) {
   if (steps_ == 1) require_wrench_of_places();
-  rows_.clear();
+  constraints_.rows.clear();
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();
   impulses_.assign(bodies_.size(), Vec3::Zero());
@@ -17,22 +17,23 @@ void World<Dof>::step_composed(double h) {
   for (const double share : parts_of_order_four()) {
     const double part = share * h;
     clock_.run(Stage::forces, [&] { kick_all((before + part) / 2, now); });
-    clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
+    clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, constraints_.rows, solved_); });
     clock_.run(Stage::solve, [&] {
-      held.drift(joints_, part, settings_.solver_limits, settings_.rotation, rows_, bodies_, solved_);
+      held.drift(joints_, part, settings_.solver_limits, settings_.rotation, constraints_.rows, bodies_,
+                 solved_);
     });
     now += part;
     before = part;
   }
   clock_.run(Stage::forces, [&] { kick_all(before / 2, now); });
-  clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
-  clock_.run(Stage::solve, [&] { held.stop(rows_, bodies_); });
-  first_contact_row_ = rows_.size();
+  clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, constraints_.rows, solved_); });
+  clock_.run(Stage::solve, [&] { held.stop(constraints_.rows, bodies_); });
+  constraints_.first_contact_row = rows().size();
   forces_.resize(bodies_.size());
   torques_.resize(spins_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = impulses_[i] / h;
   for (std::size_t i = 0; i < spins_.size(); ++i) torques_[i] = spins_[i] / h;
-  row_updates_ += static_cast<std::int64_t>(solved_.history.size() * rows_.size());
+  row_updates_ += static_cast<std::int64_t>(solved_.history.size() * rows().size());
   end_step(h);
 }
 

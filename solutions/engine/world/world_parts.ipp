@@ -12,7 +12,7 @@ void World<Dof>::divide_steps(double h) {
   }
   const auto has_default_k = [](const Joint& joint) { return joint.has_default_k; };
   if (settings_.max_parts == 1 || std::none_of(joints_.begin(), joints_.end(), has_default_k)) return;
-  const double needed = rows_.empty() ? parts_needed_at_first(h) : parts_needed_now(h);
+  const double needed = rows().empty() ? parts_needed_at_first(h) : parts_needed_now(h);
   int parts = 1;  // powers of two: other numbers would change the step more often
   while (parts < std::min<double>(needed, settings_.max_parts)) parts *= 2;
   calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;

@@ -13,16 +13,16 @@ void World<Dof>::take_out_recovery(double h) {
   std::function<bool(const Contact&)> may_throw = nullptr;
   if (materials_.any())
     may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
-  std::vector<Row<Dof>> rows =
-      rows_without_recovery(solver_input(rows_, V_, start_, h, {}), ignored, may_throw);
-  if (rows.empty()) return;
+  std::optional<ConstraintSet<Dof>> without =
+      constraints_without_recovery(solver_input(constraints_, V_, start_, h, {}), ignored, may_throw);
+  if (!without) return;
   StopRule stop = stop_rule(h);
   stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
   WarmStartCache first;
-  first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
+  first.remember(*without, contacts_, h, settings_.threads);
   std::vector<Twist<Dof>> V = V_;
-  const SolverResult solved = settings_.solver.solve(solver_input(rows, V, first, h, stop));
-  row_updates_ += solved.updates(rows.size());
+  const SolverResult solved = settings_.solver.solve(solver_input(*without, V, first, h, stop));
+  row_updates_ += solved.updates(without->rows.size());
   recovered_.resize(V.size());
   for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
 }

@@ -236,21 +236,20 @@ template <int Dof>
 std::size_t World<Dof>::first_row(int contact) const {
   if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
     reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
-  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(materials_.rub()));
+  return constraints_.normal_row(static_cast<std::size_t>(contact));
 }
 
 template <int Dof>
 double World<Dof>::lambda(int contact) const {
-  return rows_[first_row(contact)].lambda;
+  return rows()[first_row(contact)].lambda;
 }
 
 template <int Dof>
 Vec3 World<Dof>::impulse(int contact) const {
   Vec3 impulse = Vec3::Zero();
   const std::size_t first = first_row(contact);
-  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(materials_.rub()));
-       ++row)
-    impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  for (std::size_t row = first; row < first + constraints_.rows_per_contact; ++row)
+    impulse += rows()[row].lambda * rows()[row].Gj.template head<3>();
   return impulse;
 }
 
@@ -264,15 +263,16 @@ StepReport World<Dof>::report() const {
   return {.pairs = pairs_,
           .contacts = static_cast<int>(contacts_.size()),
           .impacts = impacts_,
-          .rows = static_cast<int>(rows_.size()),
+          .rows = static_cast<int>(rows().size()),
           .iterations = static_cast<int>(solved_.history.size()),
           .residual = settings_.stepper                 ? (solved_.history.empty() ? 0 : solved_.history.back())
-                      : rows_.empty()                   ? 0
+                      : rows().empty()                  ? 0
                       : settings_.integrator_order == 4 ? solved_.history.back()
-                      : settings_.soft_steps            ? residual_on_cones(rubbing_, rows_, bodies_.motion.W)
+                      : settings_.soft_steps
+                          ? residual_on_cones(constraints_.friction, rows(), bodies_.motion.W)
                       : settings_.solver.friction == FrictionModel::cone
-                          ? residual_on_cones(rubbing_, rows_, V_)
-                          : residual(rows_, V_),
+                          ? residual_on_cones(constraints_.friction, rows(), V_)
+                          : residual(rows(), V_),
           .trouble = solved_.trouble};
 }
 

@@ -35,8 +35,8 @@ void World<Dof>::step_softly(double h) {
     end_step(h_part);
   }
   clock_.run(Stage::rows, [&] {
-    soft_contacts_.return_impulses(rows_, first_contact_row_);
-    start_.remember(rows_, first_contact_row_, contacts_, h_part, settings_.threads);
+    soft_contacts_.return_impulses(constraints_);
+    start_.remember(constraints_, contacts_, h_part, settings_.threads);
   });
   if (!approaches_.empty()) clock_.run(Stage::impacts, [&] { restitute(); });
 }
@@ -58,19 +58,19 @@ void World<Dof>::find_contacts_on_the_way(double h) {
 template <int Dof>
 void World<Dof>::build_soft_contacts(double h) {
   set_default_stiffness(h);
-  first_contact_row_ = next_joint_row_;
+  constraints_.first_contact_row = next_joint_row_;
   const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = FrictionModel::cone,
                           .sliding_tangents = settings_.sliding_tangents};
-  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
-                   rows_, rubbing_);
-  soft_gaps_.assign(first_contact_row_, {});
-  for (std::size_t k = 0; k < first_contact_row_; ++k) rows_[k].lambda = 0;
-  for (std::size_t k = first_contact_row_; k < rows_.size(); ++k) rows_[k].B = 0;
-  const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
-  for (std::size_t k = 0; k < impulses.size(); ++k) rows_[k].lambda = impulses[k];
-  soft_contacts_.assign(contacts_, rows_, first_contact_row_, rubbing_);
+  set_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, constraints_);
+  soft_gaps_.assign(constraints_.first_contact_row, {});
+  std::vector<Row<Dof>>& rows = constraints_.rows;
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) rows[k].lambda = 0;
+  for (std::size_t k = constraints_.first_contact_row; k < rows.size(); ++k) rows[k].B = 0;
+  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h);
+  for (std::size_t k = 0; k < impulses.size(); ++k) rows[k].lambda = impulses[k];
+  soft_contacts_.assign(contacts_, constraints_);
 }
 
 template <int Dof>
@@ -94,10 +94,11 @@ void World<Dof>::build_soft_joints(double h) {
   motion.W.swap(at_rest_);
   for (std::size_t n = 0; n < joints_.size(); ++n)
     soften_joint(joints_[n], h, &soft_joints_[joint_rows_[n]], &soft_gaps_[joint_rows_[n]]);
-  for (std::size_t k = 0; k < first_contact_row_; ++k) {
-    const double lambda = rows_[k].lambda;
-    rows_[k] = soft_joints_[k];
-    rows_[k].lambda = std::clamp(lambda, rows_[k].lo, rows_[k].hi);
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) {
+    Row<Dof>& row = constraints_.rows[k];
+    const double lambda = row.lambda;
+    row = soft_joints_[k];
+    row.lambda = std::clamp(lambda, row.lo, row.hi);
   }
 }
 
@@ -105,9 +106,10 @@ template <int Dof>
 void World<Dof>::sweep_soft_rows(double h) {
   const SoftSteps& soft = *settings_.soft_steps;
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  for (std::size_t k = 0; k < first_contact_row_; ++k) {
-    make_soft(soft_gaps_[k], soft.joints, soft.closing_speed, h, rows_[k]);
-    if (rows_[k].lambda != 0) apply_impulse(rows_[k], rows_[k].lambda, W);
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) {
+    Row<Dof>& row = constraints_.rows[k];
+    make_soft(soft_gaps_[k], soft.joints, soft.closing_speed, h, row);
+    if (row.lambda != 0) apply_impulse(row, row.lambda, W);
   }
   soft_contacts_.warm_start(W);
   sweep_all_rows([&] { return soft_contacts_.sweep_soft(soft.contacts, soft.closing_speed, h, W); });
@@ -115,7 +117,8 @@ void World<Dof>::sweep_soft_rows(double h) {
 
 template <int Dof>
 void World<Dof>::sweep_rigid_rows(double h) {
-  for (std::size_t k = 0; k < first_contact_row_; ++k) make_rigid(soft_gaps_[k], h, rows_[k]);
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k)
+    make_rigid(soft_gaps_[k], h, constraints_.rows[k]);
   sweep_all_rows([&] { return soft_contacts_.sweep_rigid(h, bodies_.motion.W); });
 }
 
@@ -124,28 +127,28 @@ void World<Dof>::sweep_rigid_rows(double h) {
 template <int Dof>
 template <class Normals>
 void World<Dof>::sweep_all_rows(const Normals& sweep_normals) {
-  if (rows_.empty()) return;
+  if (rows().empty()) return;
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
   double largest = 0;
   const auto note = [&](double lacked) {
     if (std::isnan(lacked) || lacked > largest) largest = lacked;
   };
-  for (std::size_t k = 0; k < first_contact_row_; ++k)
-    note(rows_[k].diagonal * std::abs(update_row(rows_[k], W)));
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k)
+    note(constraints_.rows[k].diagonal * std::abs(update_row(constraints_.rows[k], W)));
   note(soft_contacts_.sweep_friction(W));
   note(sweep_normals());
   solved_.history.push_back(largest);
   solved_.converged = largest <= settings_.solver_limits.tolerance;
-  row_updates_ += std::ssize(rows_);
+  row_updates_ += std::ssize(rows());
 }
 
 /// Moves bodies, and each gap as far as their points move along its row: Eq. (10.19).
 template <int Dof>
 void World<Dof>::integrate_positions(double h) {
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  for (std::size_t k = 0; k < first_contact_row_; ++k) {
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) {
     if (soft_gaps_[k].kind != SoftKind::limits) continue;
-    const Row<Dof>& row = rows_[k];
+    const Row<Dof>& row = constraints_.rows[k];
     soft_gaps_[k].gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
   }
   soft_contacts_.move_gaps(h, W);
@@ -161,7 +164,7 @@ void World<Dof>::integrate_positions(double h) {
 template <int Dof>
 void World<Dof>::add_work_of_soft_drives() {
   if (joints_.empty() && kinematic_.empty()) return;
-  soft_contacts_.return_impulses(rows_, first_contact_row_);
+  soft_contacts_.return_impulses(constraints_);
   for (std::size_t i = 0; i < V_.size(); ++i) V_[i] -= bodies_.motion.W[i] + bodies_.motion.Wf[i];
   add_work_of_drives();
 }
@@ -174,8 +177,8 @@ void World<Dof>::note_approaches(double h) {
   const double threshold = settings_.impacts.value_or(ImpactLaw{}).threshold + settings_.gravity.norm() * h;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const std::size_t k = first_row(static_cast<int>(c));
-    const double speed =
-        rows_[k].Gi.dot(bodies_.motion.W[rows_[k].i]) + rows_[k].Gj.dot(bodies_.motion.W[rows_[k].j]);
+    const Row<Dof>& row = rows()[k];
+    const double speed = row.Gi.dot(bodies_.motion.W[row.i]) + row.Gj.dot(bodies_.motion.W[row.j]);
     if (speed < -threshold) approaches_.push_back({.contact = c, .speed = speed});
   }
 }
@@ -186,7 +189,7 @@ void World<Dof>::restitute() {
   for (const auto& [c, speed] : approaches_) {
     const std::size_t k = first_row(static_cast<int>(c));
     if (!soft_contacts_.pressed(c)) continue;
-    Row<Dof> impact = rows_[k];
+    Row<Dof> impact = constraints_.rows[k];
     impact.lambda = 0;
     impact.Sigma = 0;
     impact.diagonal = rigid_diagonal(impact);

@@ -84,26 +84,25 @@ void World<Dof>::start_consistently(double h) {
   build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
-  const std::vector<bool> drives = rows_of_drives(joints_, rows_.size());
-  const bool rub = rows_.size() - first_contact_row_ > contacts_.size();  // three rows each
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    Row<Dof>& row = rows_[k];
+  const std::vector<bool> drives = rows_of_drives(joints_, rows().size());
+  for (std::size_t k = 0; k < rows().size(); ++k) {
+    Row<Dof>& row = constraints_.rows[k];
     const auto along = [&](const std::vector<Twist<Dof>>& of) {
       return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
     };
     if (!drives[k]) row.B = -along(motion.Wf);  // motors and springs act at a speed of their own
     if (k < turning.size()) row.B -= h * turning[k];
-    if (rub && k >= first_contact_row_ && (k - first_contact_row_) % 3 > 0)
+    if (constraints_.is_friction(k))
       row.B -= along(motion.W);  // friction opposes slip
     else if (row.lo == 0 && along(motion.W) > 0)
       row.hi = 0;  // a separating contact has no force
   }
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
-  if (rubbing_.empty()) {
+  if (constraints_.friction.empty()) {
     Factors factors;
-    direct_solve(rows_, V_, StopRule{}, factors);
+    direct_solve(constraints_.rows, V_, StopRule{}, factors);
   } else {
-    newton<Dof>(FrictionModel::cone).solve(solver_input(rows_, V_, start_, h, StopRule{}));
+    newton<Dof>(FrictionModel::cone).solve(solver_input(constraints_, V_, start_, h, StopRule{}));
   }
   h_ = h;
   divide_steps(h);  // by these forces
@@ -121,9 +120,10 @@ std::optional<Twist<Dof>> World<Dof>::half_change_by_joints(std::size_t i) const
   const auto acts = [&](const Row<Dof>& row) {
     return row.lambda != 0 && (row.i == static_cast<int>(i) || row.j == static_cast<int>(i));
   };
-  const auto contacts = rows_.begin() + static_cast<std::ptrdiff_t>(std::min(first_contact_row_, rows_.size()));
-  if (std::any_of(contacts, rows_.end(), acts)) return {};
-  const bool joined = std::any_of(rows_.begin(), contacts, acts);
+  const auto first = static_cast<std::ptrdiff_t>(std::min(constraints_.first_contact_row, rows().size()));
+  const auto contacts = rows().begin() + first;
+  if (std::any_of(contacts, rows().end(), acts)) return {};
+  const bool joined = std::any_of(rows().begin(), contacts, acts);
   return joined ? Twist<Dof>(V_[i] / 2) : Twist<Dof>(Twist<Dof>::Zero());
 }
 

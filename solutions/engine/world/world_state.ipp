@@ -48,7 +48,8 @@ std::size_t hash_of_build(const World<Dof>& world) {
   for (const Joint& joint : world.joints())
     add(joint.kind, joint.i, joint.j, joint.p_i, joint.p_j, joint.length, joint.axis);
   const Settings<Dof>& settings = world.settings();
-  add(settings.gravity, settings.friction, settings.viscosity, settings.k, settings.d, settings.integrator_order);
+  add(settings.gravity, settings.friction, settings.viscosity, settings.k, settings.d,
+      settings.integrator_order);
   return hash_of(text);
 }
 
@@ -71,7 +72,10 @@ void World<Dof>::state(StateStream& s) {
   double stiffness = materials_.stiffness();
   s(stiffness);
   materials_.set_stiffness(stiffness);
-  s(contacts_, rows_, first_contact_row_, rubbing_, V_, forces_, torques_, solved_, start_);
+  s(contacts_, constraints_.rows, constraints_.first_contact_row, constraints_.friction, V_, forces_, torques_,
+    solved_, start_);
+  if (!contacts_.empty())
+    constraints_.rows_per_contact = (rows().size() - constraints_.first_contact_row) / contacts_.size();
   s(steps_, time_, h_, half_step_back_, parts_, calm_steps_, largest_load_, work_of_drives_);
   s(pairs_, impacts_, row_updates_);
   settings_.solver.state(s);
