@@ -8,7 +8,7 @@
 // Directions are from the first tangent of the models that have a fixed one. Thresholds are found by bisection.
 #include <numbers>
 
-#include "09_better_friction/rubbing.hpp"
+#include "09_better_friction/rough_system.hpp"
 #include "machinery/experiment.hpp"
 
 namespace spook::plots {
@@ -27,7 +27,7 @@ Tangents tangents_of(Model model, const Vec3& u) {
 
 /// Returns the velocity of a mass of 1 kg on a floor after a step.
 Vec3 pushed(Model model, const Vec3& v, const Vec3& force, double h) {
-  Rubbed<3> s;
+  RoughSystem<3> s;
   const Vec3 Wf = h * (force - g * up);
   add_body<3>(s, {}, nothing, nothing);
   add_body<3>(s, {.linear = 1}, v, Wf);
@@ -75,7 +75,7 @@ double smallest_mu(Model model, int n) {
   const double h = 0.01;
   const auto slides = [&](double times) {
     const double friction = times * std::tan(slope);
-    Rubbed<3> s;
+    RoughSystem<3> s;
     add_body<3>(s, {}, nothing, nothing);
     for (int j = 1; j <= n; ++j) {
       const Vec3 Wf = h * g * Vec3(std::sin(slope), 0, -std::cos(slope));
@@ -105,7 +105,7 @@ struct Disc {
   }
 
   double next(Model model, double omega) const {
-    Rubbed<6> s;
+    RoughSystem<6> s;
     add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
     const Vec3 inverse(2 / inertia, 2 / inertia, 1 / inertia), spin = omega * up, weight = -h * g * up;
     add_body<6>(s, {.linear = 1, .angular = inverse.asDiagonal()}, (Twist<6>() << nothing, spin).finished(),

@@ -6,7 +6,7 @@
 //   answers  the pyramid of thirty, solved on cones from two starts: its final speed, and the residual
 #include <numbers>
 
-#include "09_better_friction/rubbing.hpp"
+#include "09_better_friction/rough_system.hpp"
 #include "machinery/experiment.hpp"
 
 namespace spook::plots {
@@ -23,8 +23,8 @@ Tangents steepest(const Vec3& n, const Vec3& outwards) {
 }
 
 /// Balls of 1 kg, their positions, and all contacts between them and with the floor.
-Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
-  Rubbed<6> s;
+RoughSystem<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
+  RoughSystem<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
   const Twist<6> Wf = (Twist<6>() << -h * g * up, nothing).finished();
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -46,7 +46,7 @@ Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
 }
 
 /// Square layers of touching balls around the z-axis, with `side` balls along a side of the lowest.
-Rubbed<6> pyramid(int side, double mu) {
+RoughSystem<6> pyramid(int side, double mu) {
   const double radius = 0.5;
   std::vector<Vec3> places;
   for (int level = 0; level < side; ++level)
@@ -59,8 +59,8 @@ Rubbed<6> pyramid(int side, double mu) {
 }
 
 /// A rod of 1 kg and 2 m, its lower end on the floor, the other above it at x > 0; μ n·Kt/n·Kn is -0.75 μ for slip > 0.
-Rubbed<6> rod(double mu, double slip) {
-  Rubbed<6> s;
+RoughSystem<6> rod(double mu, double slip) {
+  RoughSystem<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
   const Vec3 along = Vec3(1, 0, 2) / std::sqrt(5);
   add_body<6>(s, {.linear = 1, .angular = 3 * (Mat3::Identity() - along * along.transpose())},
@@ -71,12 +71,12 @@ Rubbed<6> rod(double mu, double slip) {
 }
 
 /// Returns the results of the sweeps, over g h; of two passes those of the second.
-std::vector<Row> history(const std::string& what, const std::string& which, Model model, Rubbed<6> s,
+std::vector<Row> history(const std::string& what, const std::string& which, Model model, RoughSystem<6> s,
                          int most) {
   const StopRule stop{.max_sweeps = most, .tolerance = 1e-12 * g * h};
   std::vector<double> all;
   if (model == Model::two_pass) {
-    Rubbed<6> first = s;
+    RoughSystem<6> first = s;
     for (FrictionContact& contact : first.contacts) contact.mu = 0;
     const std::size_t before = cone_solve(first.contacts, first.rows, first.V, stop).history.size();
     all = two_pass_solve(s.contacts, s.rows, s.V, stop).history;
@@ -94,7 +94,7 @@ double smallest_mu_of_five(Model model, int most) {
   double low = 0, high = 1;
   for (int n = 0; n < 16; ++n) {
     const double mu = (low + high) / 2;
-    Rubbed<6> s = pyramid(2, mu);
+    RoughSystem<6> s = pyramid(2, mu);
     solve_by(model, s, {.max_sweeps = most, .tolerance = 1e-13});
     (s.speed() > 1e-7 ? low : high) = mu;
   }
@@ -103,7 +103,7 @@ double smallest_mu_of_five(Model model, int most) {
 
 std::vector<Row> answer(bool from_two_passes) {
   const StopRule stop{.max_sweeps = 100000, .tolerance = 1e-10};
-  Rubbed<6> s = pyramid(4, 1);
+  RoughSystem<6> s = pyramid(4, 1);
   if (from_two_passes) two_pass_solve(s.contacts, s.rows, s.V, stop);
   cone_solve(s.contacts, s.rows, s.V, stop);
   const std::string start = from_two_passes ? "from two passes" : "from zero";

@@ -1,7 +1,7 @@
 // Sweeps on cones until the tolerance is met: Coulomb's law, and scenes with known answers.
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "regions.hpp"
-#include "rubbing.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;

@@ -1,6 +1,6 @@
 // The nearest point of a disc.
 #include "exercise_test.hpp"
-#include "rubbing.hpp"
+#include "friction_systems.hpp"
 
 using namespace spook;
 using namespace spook::testing;

@@ -1,7 +1,7 @@
 // Tangents along the slip, and the friction box that they give.
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "relative_scales.hpp"
-#include "rubbing.hpp"
 
 using namespace spook;
 using namespace spook::testing;

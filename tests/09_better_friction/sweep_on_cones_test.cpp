@@ -1,9 +1,9 @@
 // One sweep over all rows, each contact with its cone, and the residual.
 #include "cancellation.hpp"
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "random_input.hpp"
 #include "regions.hpp"
-#include "rubbing.hpp"
 
 using namespace spook;
 using namespace spook::testing;

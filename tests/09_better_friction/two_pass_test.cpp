@@ -1,7 +1,7 @@
 // Friction limits from normal impulses: set, and used in two passes.
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "random_input.hpp"
-#include "rubbing.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;

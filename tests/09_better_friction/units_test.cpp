@@ -1,8 +1,8 @@
 // Units of this chapter's arguments and results. The answers must be the same in any system of units.
 #include "contract.hpp"
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "quantities.hpp"
-#include "rubbing.hpp"
 
 using namespace spook;
 using namespace spook::testing;

@@ -1,7 +1,7 @@
 // The common update of two friction rows: by hand, compared with bisection, and for any tangents.
 #include "exercise_test.hpp"
+#include "friction_systems.hpp"
 #include "regions.hpp"
-#include "rubbing.hpp"
 
 using namespace spook;
 using namespace spook::testing;

@@ -1,5 +1,5 @@
 // The units of arguments and results of this chapter's functions, and tests in any units.
-#include "../09_better_friction/rubbing.hpp"
+#include "../09_better_friction/friction_systems.hpp"
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "packs.hpp"

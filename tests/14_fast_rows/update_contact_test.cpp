@@ -1,5 +1,5 @@
 // Three rows of a contact at once, in a system of others.
-#include "../09_better_friction/rubbing.hpp"
+#include "../09_better_friction/friction_systems.hpp"
 #include "14_fast_rows/fast_rows.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"

@@ -133,7 +133,7 @@ TEST(Impacts, KeepMomentumAndAngularMomentum) {
 }
 
 /// A rigid sphere on a plane, at its depth at rest.
-World<6> rubbing_sphere(double mu, const Vec3& v, const Vec3& omega) {
+World<6> rough_sphere(double mu, const Vec3& v, const Vec3& omega) {
   World<6> world({.friction = mu});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, radius - g / 1e6),
@@ -150,7 +150,7 @@ TEST(Friction, NeverAddsEnergy) {
     Vec3 v = random.vector(3);
     v.z() = 0;
     const double mu = random.uniform(0, 2);
-    World<6> sphere = rubbing_sphere(mu, v, random.vector(10));
+    World<6> sphere = rough_sphere(mu, v, random.vector(10));
     double energy = kinetic_energy(sphere.bodies());
     for (int n = 0; n < 100; ++n) {
       sphere.step(0.01);

@@ -20,13 +20,13 @@ constexpr double h = 1.0 / 60, g = 9.81, k = 1e6, rigid = 1e12, radius = 0.5;
 const StopRule to_the_end{.max_sweeps = 200'000, .tolerance = 1e-14};
 
 /// A point mass that is pushed along a floor, and others on top of it: three rows each, μ = 0.5.
-struct Rubbed {
+struct RoughSystem {
   std::vector<Row<3>> rows;
   std::vector<Twist<3>> V;
   std::vector<FrictionContact> friction;
   Motion<3> motion;
 
-  explicit Rubbed(double bound, int masses = 2) : V(masses + 1, Twist<3>::Zero()) {
+  explicit RoughSystem(double bound, int masses = 2) : V(masses + 1, Twist<3>::Zero()) {
     motion.inverse_mass = {{.linear = 0}};
     motion.Wf = {Vec3::Zero()};
     motion.W.assign(V.size(), Twist<3>::Zero());
@@ -52,7 +52,7 @@ struct Rubbed {
 
 /// The result of `solver` for rows with such bounds of friction.
 std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& stop = {}, int masses = 2) {
-  Rubbed s(bound, masses);
+  RoughSystem s(bound, masses);
   solve_by(solver, s.motion, s.rows, s.V, stop, s.friction);
   return s.impulses();
 }
@@ -60,7 +60,7 @@ std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& st
 TEST(Solvers, AreTheirChaptersFunctions) {
   constexpr int many = 11;  // more rows than the few that have dense factors
   static_assert(3 * many > most_dense_rows);
-  Rubbed swept(0.1), conjugate(0.1), direct_(0.1, many), on_cones(infinity), twice(0);
+  RoughSystem swept(0.1), conjugate(0.1), direct_(0.1, many), on_cones(infinity), twice(0);
   solve(swept.rows, swept.V, {});
   conjugate_solve(conjugate.rows, conjugate.V, {});
   Factors factors;
@@ -86,11 +86,11 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
     const std::vector<double> other = by(two_pass(inner), 0, to_the_end);
     for (std::size_t row = 0; row < sweeps.size(); ++row) EXPECT_NEAR(other[row], sweeps[row], 1e-12);
   }
-  Rubbed s(0);
+  RoughSystem s(0);
   const SolverResult outcome = solve_by(two_pass(direct<3>()), s.motion, s.rows, s.V, {}, s.friction);
   EXPECT_EQ(outcome.row_updates, 0) << "neither pass sweeps";
   EXPECT_GE(outcome.report.history.size(), 2U) << "a factorisation each, at least";
-  Rubbed smooth(0);
+  RoughSystem smooth(0);
   EXPECT_EQ(
       solve_by(two_pass(gauss_seidel<3>()), smooth.motion, smooth.rows, smooth.V, {.max_sweeps = 3}).updates(6),
       3 * 6)

@@ -82,6 +82,14 @@ class Rooms(unittest.TestCase):
                     self.assertTrue(any((ROOT / top / name).exists() for top in ("solutions", "chapters")), name)
 
 
+    def test_one_file_makes_the_code_of_a_world(self):
+        """An explicit instantiation may stand once in a program, and each costs seconds."""
+        files = [*ENGINE.glob("*/*.[ch]pp"), *ENGINE.glob("*/*.ipp")]
+        made = [file.name for file in files for _ in re.findall(r"^template class spook::World<[36]>;",
+                                                                file.read_text(encoding="utf-8"), re.MULTILINE)]
+        self.assertEqual(made, ["world.cpp", "world.cpp"])
+
+
 class Page(unittest.TestCase):
     """The page lists every member of World and of Settings."""
 

@@ -105,14 +105,14 @@ EXERCISE_TEST(TwoPassSolve, StopsWhatIsSlow) {
 }
 
 /// Contacts of many bodies, with rows of any λ, between rows of joints.
-struct Rubbing {
+struct RoughSystem {
   Random random;
   Motion<6> motion;
   std::vector<Row<6>> rows;
   std::vector<FrictionContact> contacts;
   std::vector<Twist<6>> V;
 
-  explicit Rubbing(int count) {
+  explicit RoughSystem(int count) {
     for (int b = 0; b < 10; ++b) {
       motion.inverse_mass.push_back(random_body(random));
       motion.W.push_back(random.twist());
@@ -196,7 +196,7 @@ struct Rubbing {
     }
     return most;
   }
-  void expect_same(const std::string& equation, const Rubbing& expected, double tolerance) const {
+  void expect_same(const std::string& equation, const RoughSystem& expected, double tolerance) const {
     for (std::size_t k = 0; k < rows.size(); ++k)
       expect_near("λ of row " + std::to_string(k) + " [N s]", equation, rows[k].lambda, expected.rows[k].lambda,
                   {tolerance, "roundings of the rows before"});
@@ -220,8 +220,8 @@ EXERCISE_TEST(SlidingTangents, FallBackWhereNothingSlides) {
 }
 
 EXERCISE_TEST(LimitFriction, GivesEachContactItsOwnBounds) {
-  Rubbing t(40);
-  const Rubbing before = t;
+  RoughSystem t(40);
+  const RoughSystem before = t;
   limit_friction(t.contacts, t.rows);
   for (std::size_t k = 0; k < t.rows.size(); ++k) {
     double lo = before.rows[k].lo, hi = before.rows[k].hi;
@@ -247,8 +247,8 @@ EXERCISE_TEST(OntoDisc, ChangesNothingInside) {
 }
 
 EXERCISE_TEST(UpdateFriction, MovesBothRowsTogether) {
-  Rubbing t(40);
-  Rubbing expected = t;
+  RoughSystem t(40);
+  RoughSystem expected = t;
   for (const FrictionContact& c : t.contacts)
     expect_near("s |Δλ_t|, which is returned [m/s]", "Eq. (9.6)", update_friction(c, t.rows, t.V),
                 expected.rub(c), {1e-11, "roundings of the contacts before"});
@@ -256,8 +256,8 @@ EXERCISE_TEST(UpdateFriction, MovesBothRowsTogether) {
 }
 
 EXERCISE_TEST(SweepOnCones, IsItsUpdatesInTheirOrder) {
-  Rubbing t(40);
-  Rubbing expected = t;
+  RoughSystem t(40);
+  RoughSystem expected = t;
   expect_near("the largest change, which is returned [m/s]", "Eq. (9.6)",
               sweep_on_cones(t.contacts, t.rows, t.V), expected.sweep_by_hand(),
               {1e-11, "roundings of a sweep"});
@@ -268,7 +268,7 @@ EXERCISE_TEST(SweepOnCones, IsItsUpdatesInTheirOrder) {
 
 EXERCISE_TEST(ResidualOnCones, IsWhatTheNextUpdateWouldChange) {
   for (int count = 1; count < 40; count += 3) {
-    Rubbing t(count);
+    RoughSystem t(count);
     for (int sweeps = 0; sweeps < 3; ++sweeps) {
       double most = 0;
       for (std::size_t k = 0; k < t.rows.size(); ++k) {
@@ -286,8 +286,8 @@ EXERCISE_TEST(ResidualOnCones, IsWhatTheNextUpdateWouldChange) {
 }
 
 EXERCISE_TEST(ConeSolve, StopsByTheRuleAndGoesOn) {
-  Rubbing t(20);
-  Rubbing expected = t;
+  RoughSystem t(20);
+  RoughSystem expected = t;
   std::vector<double> history;
   for (int k = 0; k < 5; ++k) history.push_back(expected.sweep_by_hand());
   const SolveReport report = cone_solve(t.contacts, t.rows, t.V, {.max_sweeps = 5});
@@ -295,7 +295,7 @@ EXERCISE_TEST(ConeSolve, StopsByTheRuleAndGoesOn) {
   expect_true("it makes 5 sweeps, and has not converged", "Eq. (4.9)",
               std::ssize(report.history) == 5 && !report.converged);
   expect_stops_by_the_rule("Eq. (4.9)", 20, [](const StopRule& stop) {
-    Rubbing fresh(20);
+    RoughSystem fresh(20);
     return cone_solve(fresh.contacts, fresh.rows, fresh.V, stop);
   });
   expect_rejects(
@@ -307,8 +307,8 @@ EXERCISE_TEST(ConeSolve, StopsByTheRuleAndGoesOn) {
 }
 
 EXERCISE_TEST(TwoPassSolve, IsTwoSolvesWithLimitsBetween) {
-  Rubbing t(20);
-  Rubbing expected = t;
+  RoughSystem t(20);
+  RoughSystem expected = t;
   const StopRule stop{.max_sweeps = 6, .tolerance = 0};
   for (const FrictionContact& c : expected.contacts)
     for (const std::size_t k : {c.normal + 1, c.normal + 2}) {

@@ -27,7 +27,7 @@ inline std::string name(Model model) {
 }
 
 template <int Dof>
-struct Rubbed {
+struct RoughSystem {
   Motion<Dof> motion;
   std::vector<FrictionContact> contacts;
   std::vector<spook::Row<Dof>> rows;
@@ -44,7 +44,8 @@ struct Rubbed {
 };
 
 template <int Dof>
-int add_body(Rubbed<Dof>& s, const InverseMass<Dof>& inverse_mass, const Twist<Dof>& W, const Twist<Dof>& Wf) {
+int add_body(RoughSystem<Dof>& s, const InverseMass<Dof>& inverse_mass, const Twist<Dof>& W,
+             const Twist<Dof>& Wf) {
   s.motion.inverse_mass.push_back(inverse_mass);
   s.motion.W.push_back(W);
   s.motion.Wf.push_back(Wf);
@@ -54,7 +55,7 @@ int add_body(Rubbed<Dof>& s, const InverseMass<Dof>& inverse_mass, const Twist<D
 
 /// Adds a normal row and two friction rows with bounds of ±`bound`; a = 0, b = 1, Σ = Γ = 0.
 template <int Dof>
-void add_contact(Rubbed<Dof>& s, const Contact& contact, const Tangents& t, double mu, double bound) {
+void add_contact(RoughSystem<Dof>& s, const Contact& contact, const Tangents& t, double mu, double bound) {
   const SpookParameters rigid{.a = 0, .b = 1, .Sigma = 0};
   const ContactJacobian G = contact_jacobian(contact);
   s.contacts.push_back({.normal = s.rows.size(), .mu = mu});
@@ -70,7 +71,7 @@ void add_contact(Rubbed<Dof>& s, const Contact& contact, const Tangents& t, doub
 }
 
 template <int Dof>
-SolveReport solve_by(Model model, Rubbed<Dof>& s, const StopRule& stop) {
+SolveReport solve_by(Model model, RoughSystem<Dof>& s, const StopRule& stop) {
   if (model == Model::two_pass) return two_pass_solve(s.contacts, s.rows, s.V, stop);
   if (model == Model::cone) return cone_solve(s.contacts, s.rows, s.V, stop);
   return solve(s.rows, s.V, stop);
