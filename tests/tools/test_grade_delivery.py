@@ -290,6 +290,19 @@ class Delivered(Finds):
                        check=True)
         self.assert_kicks(self.found(self.root / "ann.7z")[0], "ann")
 
+    def test_a_seven_zip_of_zeros_is_read_to_a_limit(self):
+        if not shutil.which("bsdtar"):
+            self.skipTest("bsdtar (libarchive-tools) is not installed")
+        zeros = self.root / "zeros"
+        zeros.touch()
+        os.truncate(zeros, 300 << 20)
+        folder = self.put({f"ann/{WHERE}": KICK})
+        subprocess.run(["bsdtar", "--format=7zip", "--options", "7zip:compression=deflate,7zip:compression-level=1",
+                        "-cf", str(folder / "eve.7z"), "-C", str(self.root), "zeros"], check=True)
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann")
+        self.assertIn("a 7z that holds more than 256 MiB is not read", submissions["eve"].notes[0])
+
     def test_a_loose_file_makes_no_class_one_submission(self):
         files = {f"s{k:02d}/{WHERE}": KICK for k in range(30)}
         submissions, left = self.found(self.put(files | {"kick.cpp": b"x", "drift.cpp": b"x"}))
@@ -332,6 +345,20 @@ class Delivered(Finds):
         self.assertNotIn(str(self.root), " ".join(note for one in submissions.values() for note in one.notes))
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
+
+    def test_a_tar_of_holes_is_read_to_a_limit(self):
+        """A file of 2 GiB that takes no room, and members of a few bytes that claim 2 GiB."""
+        folder = self.put({f"ann/{WHERE}": KICK, "hole.tar": self.header("hole", 2 << 30),
+                           "file.tar": self.sparse("kick.cpp", 2 << 30), "inner.tar": self.sparse("more.tar", 2 << 30)})
+        os.truncate(folder / "hole.tar", 2 << 30)
+        self.assertLess((folder / "hole.tar").stat().st_blocks, 1 << 10)
+        used = time.process_time()
+        submissions, _ = self.found(folder)
+        self.assertLess(time.process_time() - used, 20)
+        self.assert_kicks(submissions, "ann")
+        self.assertIn("1024 MiB", submissions["hole"].notes[0])
+        self.assertIn("is larger than 256 KiB", submissions["file"].sources["kick"].problem)
+        self.assertIn("too large", submissions["inner"].notes[0])
 
     def test_what_cannot_be_looked_at_stops_nobody(self):
         """Folders that may not be listed, and files that are removed in the meantime."""
@@ -423,6 +450,18 @@ class Delivered(Finds):
         info = tarfile.TarInfo(name)
         info.size = size
         return info.tobuf()
+
+    @classmethod
+    def sparse(cls, name: str, size: int) -> bytes:
+        """Returns an archive with one member in GNU's old form, which is a single hole."""
+        block = bytearray(cls.header(name, 0))
+        block[156:157] = tarfile.GNUTYPE_SPARSE
+        block[257:265] = b"ustar  \0"  # GNU's, in which the places of the data and the size follow
+        block[386:410] = b"%011o\0%011o\0" % (size, 0)
+        block[483:495] = b"%011o\0" % size
+        block[148:156] = b"        "
+        block[148:156] = b"%06o\0 " % sum(block)
+        return bytes(block) + bytes(1024)
 
     def test_names(self):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
