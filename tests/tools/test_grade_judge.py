@@ -1,7 +1,9 @@
 """The judge remembers certain verdicts, and runs the two processes of a test on one core."""
 
 import os
+import resource
 import signal
+import string
 import tempfile
 import unittest
 import unittest.mock
@@ -14,10 +16,10 @@ from sandbox import all_exercises
 from grading.complaints import compiler_says
 from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
-from grading.isolation import ENVIRONMENT
-from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.isolation import ENVIRONMENT, User
+from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made, _not_compiled, _not_linked
+from grading.objects import Made, _not_compiled, _not_linked, _readable, make
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -71,7 +73,7 @@ class Remembers(unittest.TestCase):
 class Waits(unittest.TestCase):
     """A process that the clock has stopped may have waited for a busy machine."""
 
-    def run_all(self, rans: list[Ran], tests: list[str]) -> list[str]:
+    def run_all(self, rans: list[Ran], tests: list[str], compiling: float = 0.0) -> list[str]:
         pairs = []
 
         class OnePair:
@@ -86,7 +88,7 @@ class Waits(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
             judge = Judges(Path(folder), [])
             judge._workshop.test_program = lambda exercise: None
-            ran = judge._run_all(next(iter(all_exercises())), tests, Made(Path()), None)
+            ran = judge._run_all(next(iter(all_exercises())), tests, Made(Path(), slow=compiling), None)
         self.assertEqual((rans, [verdict.test for verdict, _ in ran]), ([], tests))
         return [verdict.reason or verdict.verdict for verdict, _ in ran]
 
@@ -106,6 +108,37 @@ class Waits(unittest.TestCase):
             done = min(count, len(tests))
             self.assertEqual(self.run_all([ran] * done, tests), [PASSED] * done + [NOT_RUN] * (len(tests) - done),
                              f"{ran.clock} s, of which {ran.used} s of processor time")
+
+
+    def test_compiling_slowly_counts(self):
+        """The judge allows 10 s of an exercise."""
+        passed = Ran((b"0", b"1", b""), clock=7)
+        for compiling, count in ((11, 0), (10, 0), (7, 1), (0, 2)):
+            self.assertEqual(self.run_all([passed] * count, list("abc"), compiling),
+                             [PASSED] * count + [NOT_RUN] * (3 - count), f"{compiling} s")
+
+    def test_what_does_not_compile_slowly_counts(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judges(Path(folder), [])
+            judge._workshop.root = folder
+            made = Made(None, DOES_NOT_COMPILE, slow=29.5)
+            with unittest.mock.patch("grading.judge.make", lambda *_: made):
+                verdict, _ = Judge._judge_anew(judge, exercise, Source("kick.cpp", b"x"), ["Kick.IsRight"], None)
+        self.assertEqual(judge.lost(verdict), 29.5)
+
+
+class Compiled(unittest.TestCase):
+    def test_half_of_the_time_is_free(self):
+        """A compiler may have 30 s of processor time; stopped by the clock, it counts as 600 s."""
+        exercise = next(iter(all_exercises()))
+        workshop = SimpleNamespace(headers=Path("headers"), compile_command=lambda *_: ["g++"])
+        for ended, slow in ((Ended(1, "", False, False, 14.0), 0), (Ended(1, "", False, False, 16.0), 16),
+                            (Ended(1, "", True, False, 3.0), 600)):
+            isolation = SimpleNamespace(run=lambda *_, ended=ended: ended)
+            with tempfile.TemporaryDirectory() as folder:
+                made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))
+            self.assertEqual((made.verdict, made.slow), (DOES_NOT_COMPILE, slow))
 
 
 class Grades(Grader):
@@ -174,6 +207,31 @@ class Complaints(unittest.TestCase):
         said = compiler_says(told, exercise, file, "int x;")
         self.assertTrue(said.startswith(f"{file}:1:1: error: 'aaa"))
         self.assertLess(len(said), 1000)
+
+
+class Demangled(unittest.TestCase):
+    """A short symbol may have a long name: here each parameter is a pair of two of the one before it."""
+
+    @staticmethod
+    def symbol(pairs: int) -> str:
+        return "_Z1fSt6vectorIiESt4pairIS0_S0_E" + "".join(f"S1_IS{k}_S{k}_E" for k in string.digits[2:] +
+                                                           string.ascii_uppercase[:pairs - 8])
+
+    def test_a_long_name_is_cut(self):
+        """It has 31 MB."""
+        told = _readable("_Z1gi", self.symbol(18))
+        self.assertTrue(told.startswith("g(int)\nf(std::vector<int>, "), told[:80])
+        self.assertLess(len(told), 1000)
+
+    def test_one_without_end_costs_little(self):
+        """It would have 130 GB."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.assertEqual(_readable(self.symbol(30)), self.symbol(30))
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 7)
+
+    def test_of_many_some_are_shown(self):
+        self.assertEqual(_readable(*["_Z1gi"] * 5000).splitlines(), ["g(int)"] * 20)
+        self.assertLessEqual(len(_readable("x" * (1 << 20))), 500)
 
 
 class Messages(unittest.TestCase):
