@@ -52,7 +52,8 @@ class Marker(unittest.TestCase):
         # In a process of its own with 5 s: with a look to the end from each beginning it would take hours.
         many = ("import resource; resource.setrlimit(resource.RLIMIT_CPU, (5, 5)); from marker import code_of; "
                 "assert code_of('x = ' + 'R\"(' * 200_000).split() == ['x', '=']")
-        result = subprocess.run([sys.executable, "-c", many], capture_output=True, text=True, cwd=sandbox.TOOLS / "course")
+        result = subprocess.run([sys.executable, "-c", many], capture_output=True, text=True,
+                                cwd=sandbox.TOOLS / "course")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(is_stub('"\\"\nnot_implemented();'))
 

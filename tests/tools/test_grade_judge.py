@@ -1,9 +1,12 @@
 """The judge remembers certain verdicts, and runs the two processes of a test on one core."""
 
 import os
+import re
 import resource
+import shutil
 import signal
 import string
+import subprocess
 import tempfile
 import unittest
 import unittest.mock
@@ -11,6 +14,7 @@ from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
 
+from classroom import CORPUS
 from sandbox import all_exercises
 
 from grading.complaints import compiler_says
@@ -19,7 +23,7 @@ from grading.grader import Grader
 from grading.isolation import ENVIRONMENT, User
 from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made, _not_compiled, _not_linked, _readable, make
+from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -139,6 +143,20 @@ class Compiled(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))
             self.assertEqual((made.verdict, made.slow), (DOES_NOT_COMPILE, slow))
+
+    def test_the_date_is_the_same_for_all(self):
+        """With each compiler that is here; the lines are those of a file of the corpus."""
+        asking = (CORPUS / "kick" / "asks_when_it_was_compiled.cpp").read_text(encoding="utf-8")
+        lines = ["#include <string_view>", *re.findall(r"^ *static_assert.*$", asking, re.MULTILINE)]
+        self.assertEqual(len(lines), 4)
+        for compiler in filter(None, map(shutil.which, ("g++", "clang++"))):
+            with self.subTest(compiler), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder, "kick.cpp")
+                file.write_text("\n".join(lines) + "\n")
+                os.utime(file, (0, 0))
+                command = [compiler, *options_of(os.path.realpath(compiler)), "-std=c++20", "-fsyntax-only", str(file)]
+                told = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True)
+                self.assertEqual((told.returncode, told.stderr), (0, ""))
 
 
 class Grades(Grader):

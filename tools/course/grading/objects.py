@@ -26,6 +26,9 @@ from marker import is_stub
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
 _COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
 _MEMORY = 900 << 20  # bytes of an object, of the 1 GiB that its process may have: with more it would not start
+# Clang before 16 knows no SOURCE_DATE_EPOCH, by which GCC takes the date.
+_CLANGS_OWN = ["-fno-caret-diagnostics", "-Wno-builtin-macro-redefined", '-D__DATE__="Jan  1 1970"',
+               '-D__TIME__="00:00:00"', '-D__TIMESTAMP__="Thu Jan  1 00:00:00 1970"']
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
@@ -58,7 +61,7 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     user.own(compiling)
 
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
-    command.append("-fno-caret-diagnostics" if "clang" in command[0] else "-fno-diagnostics-show-caret")
+    command += options_of(command[0])
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)
@@ -67,6 +70,11 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
             _from_object(exercise, source, file, workshop, isolation, compiling / "student.o", linking))
     took = _COMPILING.wall if ended.timed_out else ended.cpu
     return replace(made, slow=round(took, 1) if 2 * took > _COMPILING.cpu else 0.0)
+
+
+def options_of(compiler: str) -> list[str]:
+    """Returns the options of a compiler for all submissions: it quotes no file, and tells one date to all."""
+    return _CLANGS_OWN if "clang" in compiler else ["-fno-diagnostics-show-caret"]
 
 
 _WORDLESS = "The compiler gave up, and named no line of the file: it may have needed more memory than there is."
