@@ -25,7 +25,7 @@ from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, 
 from grading.names import Student
 from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
 from grading.pair import Ran, _only_on, _take_core, exit_code
-from grading.submission import Handed, Source
+from grading.submission import Handed, Source, Submission
 
 
 class Judges(Judge):
@@ -164,7 +164,7 @@ class Grades(Grader):
 
     def __init__(self):
         self.seed, self.exercises, self.failures = 1, [], []
-        self._jobs, self._seconds, self._points = 2, 2, "tests"
+        self._jobs, self._seconds, self._points, self._attempt = 2, 2, "tests", "last"
         self._weights = self._judge = None
         self._workshop, self.isolation = SimpleNamespace(sources=""), SimpleNamespace(name="", does_not_deny="")
 
@@ -185,6 +185,33 @@ class OneRow(unittest.TestCase):
         self.assertRegex(results[1]["notes"][0], "could not be graded: OSError: x{1000}")
         self.assertLess(len(results[1]["notes"][0]), 3000)
         self.assertEqual(len(grader.failures), 1)
+
+
+class Best(unittest.TestCase):
+    """Of several attempts the one with most points counts, of equal ones the last; all of them cost time."""
+
+    def judged(self, *of_attempts: list[str]) -> tuple[Submission, list[str], float]:
+        exercise = next(iter(all_exercises()))
+        sources = [Source(f"{k}.cpp", b"") for k in range(len(of_attempts))]
+        submission = Submission("ann", Student("ann"), {"kick": sources[0]}, attempts={"kick": sources})
+        verdicts = {source: ExerciseVerdict([TestVerdict(str(k), verdict) for k, verdict in enumerate(some)], [], 1.0)
+                    for source, some in zip(sources, of_attempts)}
+        grader = Grades()
+        grader._judge = SimpleNamespace(judge=lambda exercise, source, user: verdicts[source], lost=lambda one: one.slow)
+        grader._weights = SimpleNamespace(of=lambda test: SimpleNamespace(points=int(test)))
+        verdict, seconds = grader._best_judged(submission, exercise, None)
+        return submission, [test.verdict for test in verdict.tests], seconds
+
+    def test_the_best_counts(self):
+        passed, failed = PASSED, TIMED_OUT
+        for of_attempts, best in (([[failed, passed, failed], [passed, passed, failed], [failed, failed, passed]], 2),
+                                  ([[failed, passed], [passed, passed]], 1), ([[failed, failed], [failed, failed]], 0),
+                                  ([[passed, passed], [passed, passed]], 0)):
+            submission, verdicts, seconds = self.judged(*of_attempts)
+            self.assertEqual(verdicts, of_attempts[best])
+            self.assertEqual(submission.sources["kick"].path, f"{best}.cpp")
+            self.assertEqual(submission.notes, [f"taken for kick: {best}.cpp, the best of {len(of_attempts)} attempts"])
+            self.assertEqual(seconds, len(of_attempts))
 
 
 class Status(unittest.TestCase):

@@ -5,6 +5,7 @@ import argparse
 from errors import BadInput
 from grading.isolation import NAMES
 from grading.results import RULES
+from grading.submission import ATTEMPTS
 from grading.weights import TABLE
 from paths import BUILD
 from pick import near
@@ -248,6 +249,8 @@ def _add_grade(command: Parser) -> None:
                          help="table of points, titles, hints, visibility (default: tests/weights.csv)")
     command.add_argument("--points", choices=RULES, default=RULES[0],
                          help="points for whole exercises (default), or for each test")
+    command.add_argument("--attempt", choices=ATTEMPTS, default=ATTEMPTS[0],
+                         help="which of a student's attempts on a platform counts (default: last)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="processor time for each test (default: 10)")
     command.add_argument("--exercise-time", type=_count, default=60, metavar="SECONDS",
