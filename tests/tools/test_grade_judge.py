@@ -77,7 +77,7 @@ class Remembers(unittest.TestCase):
 class Waits(unittest.TestCase):
     """A process that the clock has stopped may have waited for a busy machine."""
 
-    def run_all(self, rans: list[Ran], tests: list[str], compiling: float = 0.0) -> list[str]:
+    def run_all(self, rans: list[Ran], tests: list[str], compiling: float = 0.0, usual: float = 0.0) -> list[str]:
         pairs = []
 
         class OnePair:
@@ -89,10 +89,14 @@ class Waits(unittest.TestCase):
             def run(self, test):
                 return rans.pop(0)
 
+            def used_since(self):
+                return 0.0
+
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
             judge = Judges(Path(folder), [])
             judge._workshop.test_program = lambda exercise: None
-            ran = judge._run_all(next(iter(all_exercises())), tests, Made(Path(), slow=compiling), None)
+            judge._usual["kick"] = usual
+            ran, _ = judge._run_all(next(iter(all_exercises())), tests, Made(Path(), used=compiling), None)
         self.assertEqual((rans, [verdict.test for verdict, _ in ran]), ([], tests))
         return [verdict.reason or verdict.verdict for verdict, _ in ran]
 
@@ -103,46 +107,54 @@ class Waits(unittest.TestCase):
         self.assertEqual(self.run_all([waited, passed, waited], ["a", "b"]), [PASSED, WAITED])
 
     def test_a_slow_pass_counts(self):
-        """The judge allows 2 s of a test, and 10 s of an exercise."""
+        """The judge allows 2 s of a test, and 10 s of an exercise; of work 3 s are free, or three times the reference's."""
         def passed(clock: float, used: float) -> Ran:
             return Ran((b"0", b"1", b""), clock=clock, used=used)
         tests = list("abcdef")
-        for ran, count in ((passed(7, 0), 2), (passed(2, 1.9), 6), (passed(5, 1.9), 6), (passed(2, 0.5), 6),
-                           (passed(0.9, 0), 6), (passed(4, 0), 4)):
-            done = min(count, len(tests))
-            self.assertEqual(self.run_all([ran] * done, tests), [PASSED] * done + [NOT_RUN] * (len(tests) - done),
-                             f"{ran.clock} s, of which {ran.used} s of processor time")
-
+        for ran, usual, count in ((passed(7, 0), 0, 2), (passed(2, 1.9), 0, 6), (passed(5, 1.9), 0, 6),
+                                  (passed(2, 0.5), 0, 6), (passed(0.9, 0), 0, 6), (passed(4, 0), 0, 4),
+                                  (passed(3, 2.7), 0, 5), (passed(3, 2.7), 2, 6), (passed(5, 4.5), 2, 4)):
+            self.assertEqual(self.run_all([ran] * count, tests, usual=usual),
+                             [PASSED] * count + [NOT_RUN] * (len(tests) - count),
+                             f"{ran.clock} s, of which {ran.used} s of processor time; usual {usual} s")
 
     def test_compiling_slowly_counts(self):
         """The judge allows 10 s of an exercise."""
         passed = Ran((b"0", b"1", b""), clock=7)
-        for compiling, count in ((11, 0), (10, 0), (7, 1), (0, 2)):
-            self.assertEqual(self.run_all([passed] * count, list("abc"), compiling),
-                             [PASSED] * count + [NOT_RUN] * (3 - count), f"{compiling} s")
+        for compiling, usual, count in ((14, 0, 0), (13, 0, 0), (10, 0, 1), (3, 0, 2), (14, 4, 2)):
+            self.assertEqual(self.run_all([passed] * count, list("abc"), compiling, usual),
+                             [PASSED] * count + [NOT_RUN] * (3 - count), f"{compiling} s; usual {usual} s")
 
     def test_what_does_not_compile_slowly_counts(self):
         exercise = next(iter(all_exercises()))
         with tempfile.TemporaryDirectory() as folder:
             judge = Judges(Path(folder), [])
             judge._workshop.root = folder
-            made = Made(None, DOES_NOT_COMPILE, slow=29.5)
+            made = Made(None, DOES_NOT_COMPILE, used=29.5)
             with unittest.mock.patch("grading.judge.make", lambda *_: made):
                 verdict, _ = Judge._judge_anew(judge, exercise, Source("kick.cpp", b"x"), ["Kick.IsRight"], None)
-        self.assertEqual(judge.lost(verdict), 29.5)
+        self.assertEqual(judge.lost(exercise, verdict), 26.5)
+
+    def test_the_reference_tells_what_is_usual(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            for _ in range(2):  # the second time it is remembered
+                judge = Judges(Path(folder), [PASSED])
+                judge._judge_anew = lambda *_: (ExerciseVerdict([TestVerdict("Kick.IsRight", PASSED)], [], 4.0), True)
+                judge.judge(exercise, Source("kick.cpp", b"x", is_reference=True), None)
+                self.assertEqual(judge.lost(exercise, ExerciseVerdict([], [], 15.0)), 3.0)
 
 
 class Compiled(unittest.TestCase):
-    def test_half_of_the_time_is_free(self):
-        """A compiler may have 30 s of processor time; stopped by the clock, it counts as 600 s."""
+    def test_its_time_is_told(self):
+        """Stopped by the clock, it counts as 600 s."""
         exercise = next(iter(all_exercises()))
         workshop = SimpleNamespace(headers=Path("headers"), compile_command=lambda *_: ["g++"])
-        for ended, slow in ((Ended(1, "", False, False, 14.0), 0), (Ended(1, "", False, False, 16.0), 16),
-                            (Ended(1, "", True, False, 3.0), 600)):
+        for ended, used in ((Ended(1, "", False, False, 14.0), 14), (Ended(1, "", True, False, 3.0), 600)):
             isolation = SimpleNamespace(run=lambda *_, ended=ended: ended)
             with tempfile.TemporaryDirectory() as folder:
                 made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))
-            self.assertEqual((made.verdict, made.slow), (DOES_NOT_COMPILE, slow))
+            self.assertEqual((made.verdict, made.used), (DOES_NOT_COMPILE, used))
 
     def test_the_date_is_the_same_for_all(self):
         """With each compiler that is here; the lines are those of a file of the corpus."""
@@ -197,7 +209,7 @@ class Best(unittest.TestCase):
         verdicts = {source: ExerciseVerdict([TestVerdict(str(k), verdict) for k, verdict in enumerate(some)], [], 1.0)
                     for source, some in zip(sources, of_attempts)}
         grader = Grades()
-        grader._judge = SimpleNamespace(judge=lambda exercise, source, user: verdicts[source], lost=lambda one: one.slow)
+        grader._judge = SimpleNamespace(judge=lambda exercise, source, user: verdicts[source], lost=lambda _, one: one.used)
         grader._weights = SimpleNamespace(of=lambda test: SimpleNamespace(points=int(test)))
         verdict, seconds = grader._best_judged(submission, exercise, None)
         return submission, [test.verdict for test in verdict.tests], seconds

@@ -253,10 +253,11 @@ def _add_grade(command: Parser) -> None:
                          help="which of a student's attempts on a platform counts (default: last)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="processor time for each test (default: 10)")
-    command.add_argument("--exercise-time", type=_count, default=60, metavar="SECONDS",
-                         help="largest total of time-outs in an exercise; then its other tests are skipped (default: 60)")
-    command.add_argument("--submission-time", type=_count, default=600, metavar="SECONDS",
-                         help="largest total of time-outs in a submission (default: 600)")
+    command.add_argument("--exercise-time", type=_count, default=20, metavar="SECONDS",
+                         help="largest total of time-outs and slow work in an exercise; then its other tests are skipped "
+                              "(default: 20)")
+    command.add_argument("--submission-time", type=_count, default=120, metavar="SECONDS",
+                         help="largest total of time-outs and slow work in a submission (default: 120)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"isolation of submissions (default: the first that works of {', '.join(NAMES)})")
     command.add_argument("--fresh", action="store_true",

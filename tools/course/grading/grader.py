@@ -133,7 +133,7 @@ class Grader:
             submission.sources[function] = sources[best]
             submission.notes.append(f"taken for {function}: {unseen_shown(sources[best].path)}, the best of "
                                     f"{len(sources)} attempts")
-        return verdicts[best], sum(map(self._judge.lost, verdicts))
+        return verdicts[best], sum(self._judge.lost(exercise, verdict) for verdict in verdicts)
 
     def _worth(self, verdict: ExerciseVerdict) -> tuple[bool, float]:
         passed = [test.test for test in verdict.tests if test.verdict == PASSED]

@@ -46,7 +46,7 @@ class Made:
     reason: str = ""
     message: str = ""
     notes: tuple[str, ...] = ()
-    slow: float = 0.0  # seconds that it took to compile, if more than half of what it may
+    used: float = 0.0  # seconds of processor time that it took to compile
 
 
 def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isolation, user: User,
@@ -69,7 +69,7 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     made = (_not_compiled(exercise, source, file, ended) if ended.code != 0 else
             _from_object(exercise, source, file, workshop, isolation, compiling / "student.o", linking))
     took = _COMPILING.wall if ended.timed_out else ended.cpu
-    return replace(made, slow=round(took, 1) if 2 * took > _COMPILING.cpu else 0.0)
+    return replace(made, used=round(took, 1))
 
 
 def options_of(compiler: str) -> list[str]:
