@@ -49,9 +49,9 @@ class Classroom:
     def run(self, *words: str | Path, **env: str) -> subprocess.CompletedProcess:
         return run_course("grade", *words, cwd=self.root, **env)
 
-    def grade(self, *words: str | Path, out: str = "marks", chapters: str = "1") -> "Marks":
+    def grade(self, *words: str | Path, out: str = "marks", chapters: str = "1", seconds: int = SECONDS_A_TEST) -> "Marks":
         folder = self.root / out
-        run = self.run(*(words or (self.handed_in,)), "--chapters", chapters, "--time-limit", str(SECONDS_A_TEST),
+        run = self.run(*(words or (self.handed_in,)), "--chapters", chapters, "--time-limit", str(seconds),
                        "--exercise-time", str(SECONDS_OF_AN_EXERCISE), "--out", folder)
         if run.returncode != 0:
             raise AssertionError(f"./course grade ends with {run.returncode}:\n{run.stdout}{run.stderr}")

@@ -17,10 +17,11 @@ from types import SimpleNamespace
 from classroom import CORPUS
 from sandbox import all_exercises
 
+from errors import CourseError
 from grading.complaints import compiler_says
 from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
-from grading.isolation import ENVIRONMENT, User
+from grading.isolation import ENVIRONMENT, NAMES, User, choose, take_user
 from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
 from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
@@ -147,10 +148,29 @@ class Waits(unittest.TestCase):
 
 class Compiled(unittest.TestCase):
     def test_its_time_is_told(self):
-        """Stopped by the clock, it counts as 600 s."""
+        """By the shell that runs it, in each isolation that works here: a namespace hides it from outside."""
+        exercise = next(iter(all_exercises()))
+        spin = "i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done; exit 1"
+        for name in NAMES:
+            try:
+                isolation = choose(name)
+            except CourseError:
+                continue
+            user = take_user(isolation)
+            with self.subTest(name), tempfile.TemporaryDirectory(dir="/tmp") as folder:
+                Path(folder).chmod(0o755)
+                workshop = SimpleNamespace(headers=Path("/usr/include"), compile_command=lambda *_: [
+                    "/bin/sh", "-c", spin, "sh"])
+                made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, user, Path(folder))
+                self.assertEqual(made.verdict, DOES_NOT_COMPILE)
+                self.assertGreater(made.used, 0)
+            user.release()
+
+    def test_one_that_is_stopped_has_used_all(self):
+        """Stopped by the clock, it counts as 600 s, and by its output as 30 s."""
         exercise = next(iter(all_exercises()))
         workshop = SimpleNamespace(headers=Path("headers"), compile_command=lambda *_: ["g++"])
-        for ended, used in ((Ended(1, "", False, False, 14.0), 14), (Ended(1, "", True, False, 3.0), 600)):
+        for ended, used in ((Ended(-9, "", False, True, 0.1), 30), (Ended(-9, "", True, False, 0.1), 600)):
             isolation = SimpleNamespace(run=lambda *_, ended=ended: ended)
             with tempfile.TemporaryDirectory() as folder:
                 made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))
