@@ -18,6 +18,7 @@ from grading.isolation import choose
 from grading.results import said
 
 CORPUS = ROOT / "tests" / "submissions"
+SECONDS_OF_AN_EXERCISE = 60  # so that each test of an answer that loops is run
 SECONDS_A_TEST = 4  # of processor time: loops are to end soon, memory to be filled before, on a busy machine, too
 _CALL = re.compile(r"^(?:Vec3|void) \w+\(.*\) \{$", re.MULTILINE)
 
@@ -48,10 +49,10 @@ class Classroom:
     def run(self, *words: str | Path, **env: str) -> subprocess.CompletedProcess:
         return run_course("grade", *words, cwd=self.root, **env)
 
-    def grade(self, *words: str | Path, out: str = "marks", chapters: str = "1") -> "Marks":
+    def grade(self, *words: str | Path, out: str = "marks", chapters: str = "1", seconds: int = SECONDS_A_TEST) -> "Marks":
         folder = self.root / out
-        run = self.run(*(words or (self.handed_in,)), "--chapters", chapters, "--time-limit", str(SECONDS_A_TEST),
-                       "--out", folder)
+        run = self.run(*(words or (self.handed_in,)), "--chapters", chapters, "--time-limit", str(seconds),
+                       "--exercise-time", str(SECONDS_OF_AN_EXERCISE), "--out", folder)
         if run.returncode != 0:
             raise AssertionError(f"./course grade ends with {run.returncode}:\n{run.stdout}{run.stderr}")
         return Marks(folder, run.stdout)

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
-import sandbox  # noqa: F401  (finds the course's modules)
+import sandbox  # also finds the course's modules
 
 import board
 import check
@@ -50,6 +50,12 @@ class Marker(unittest.TestCase):
         """Else each quote in it would begin another look, up to the end."""
         for text in ('"' + 99 * '\\"', "'" + 99 * "\\'", 'R"(' * 99):
             self.assertEqual(code_of(f"x = {text}").split(), ["x", "="])
+        # In a process of its own with 5 s: with a look to the end from each beginning it would take hours.
+        many = ("import resource; resource.setrlimit(resource.RLIMIT_CPU, (5, 5)); from marker import code_of; "
+                "assert code_of('x = ' + 'R\"(' * 200_000).split() == ['x', '=']")
+        result = subprocess.run([sys.executable, "-c", many], capture_output=True, text=True,
+                                cwd=sandbox.TOOLS / "course")
+        self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(is_stub('"\\"\nnot_implemented();'))
 
     def test_line(self):

@@ -8,7 +8,6 @@ import json
 import math
 import random
 import re
-import shlex
 import tempfile
 import unittest
 from fractions import Fraction
@@ -16,6 +15,7 @@ from pathlib import Path
 from statistics import NormalDist
 from unittest import mock
 
+from page_commands import commands, pages, words_of
 from sandbox import ROOT, Sandbox, all_exercises
 
 import arguments
@@ -28,6 +28,7 @@ from errors import BadInput
 from extras import taken
 from sweep import Result, Sweep, as_json, as_text
 
+_LESSONS = sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
 _BLOCK = re.compile(r"^```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 STILL = """#include "01_leapfrog/leapfrog.hpp"
 namespace spook {
@@ -291,27 +292,45 @@ class Columns(unittest.TestCase):
                 matching(self.COLUMNS, wanted)
 
 
-class Lessons(unittest.TestCase):
-    """Each command that a student copies from a lesson runs, for a time of zero."""
+class Pages(unittest.TestCase):
+    """Each command that a reader copies from a page runs, for a time of zero."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.box = Sandbox(built=True)
+        cls.addClassCleanup(cls.box.close)
+
+    def assert_runs(self, words: list[str]) -> str:
+        """Expects nothing on the standard error; returns what is printed."""
+        words = [word for word in words if word != "--mine"]
+        if "--time" in words:
+            del words[words.index("--time"):words.index("--time") + 2]
+        result = self.box.course(*words, *(["--time", "0"] if words[0] == "run" else []))
+        said = result.stderr.removeprefix("sweep ...\n")  # what takes long says that it is at work
+        if "mine" in words:
+            said = said.removeprefix("You have written no exercise yet: everything is the reference.\n")
+        self.assertEqual((result.returncode, said), (0, ""))
+        return result.stdout
 
     def test_the_commands_of_all_lessons(self):
-        box = Sandbox(built=True)
-        self.addCleanup(box.close)
-        commands = [(lesson.parent.name, line) for lesson in sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
-                    for block in _BLOCK.findall(lesson.read_text(encoding="utf-8"))
-                    for line in block.splitlines() if line.startswith("./course run ")]
-        self.assertGreater(len(commands), 40)
-        for chapter, line in commands:
+        lines = [(lesson.parent.name, line) for lesson in _LESSONS
+                 for block in _BLOCK.findall(lesson.read_text(encoding="utf-8"))
+                 for line in block.splitlines() if line.startswith("./course run ")]
+        self.assertGreater(len(lines), 40)
+        for chapter, line in lines:
             with self.subTest(chapter, line=line):
-                _, _, *words = shlex.split(line, comments=True)
-                words = [word for word in words if word != "--mine"]
-                if "--time" in words:
-                    del words[words.index("--time"):words.index("--time") + 2]
-                result = box.course("run", *words, "--time", "0")
-                said = result.stderr.removeprefix("sweep ...\n")  # what takes long says that it is at work
-                if "mine" in words:
-                    said = said.removeprefix("You have written no exercise yet: everything is the reference.\n")
-                self.assertEqual((result.returncode, said), (0, ""))
+                self.assert_runs(words_of(line))
+
+    def test_the_commands_of_all_other_pages(self):
+        """In their order: one may read what another writes."""
+        lines = [(page, line) for page in pages() if page not in _LESSONS for line in commands(page)
+                 if words_of(line)[:1] in (["run"], ["scenes"])]
+        self.assertGreater(len(lines), 12)
+        for page, line in lines:
+            with self.subTest(str(page.relative_to(ROOT)), line=line):
+                told = self.assert_runs(words_of(line))
+                if written := re.search(r" > (\S+)", line):
+                    (self.box.root / written[1]).write_text(told)
 
 
 class Runs(unittest.TestCase):

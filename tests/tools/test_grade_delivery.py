@@ -1,6 +1,7 @@
 """Deliveries of platforms in all forms: their students, the files taken, and that nobody is lost."""
 
 import bz2
+import contextlib
 import io
 import os
 import shutil
@@ -15,16 +16,19 @@ import unittest.mock
 import zipfile
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import sandbox  # noqa: F401
 
+from arguments import parse
 from errors import BadInput, CourseError
 from exporting.grades import for_canvas, not_on_it
 from grading import reading
 from grading.archives import LARGEST, names_in
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.gradebook import Class, _write_grades, cell, not_graded
+from grading.grade import grade
+from grading.gradebook import Class, _write_grades, cell, not_graded, uncertain
 from grading.names import Student, attempt_of, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
@@ -196,6 +200,19 @@ class Delivered(Finds):
             "leeann_12_58_kick-9.cpp": b"x"}))
         self.assert_kicks(submissions, "leeann")
         self.assertTrue(submissions["leeann"].student.late)
+        self.assertEqual(submissions["leeann"].notes[0], "late: the platform's file name says so")
+
+    def test_another_attempt_counts_on_demand(self):
+        folder = self.put({"leeann_12_55_kick.cpp": b"first", "leeann_12_56_kick-1.cpp": b"second",
+                           "leeann_12_57_kick-2.cpp": b"third", "ekbo_13_58_kick.cpp": KICK})
+        handed = {one.name: one for one in find_submissions([folder], self.root / "out").handed}
+        for attempt, content in (("last", b"third"), ("first", b"first")):
+            read = read_submission(handed["leeann"], all_exercises(), attempt)
+            self.assertEqual((read.sources["kick"].content, read.attempts), (content, {}))
+        read = read_submission(handed["leeann"], all_exercises(), "best")
+        self.assertEqual([source.content for source in read.attempts["kick"]], [b"third", b"second", b"first"])
+        read = read_submission(handed["ekbo"], all_exercises(), "best")
+        self.assertEqual((read.sources["kick"].content, read.attempts), (KICK, {}))
 
     def test_a_name_of_another_platform_takes_nobodys_place(self):
         """On Canvas a student chooses what follows the numbers."""
@@ -290,6 +307,19 @@ class Delivered(Finds):
                        check=True)
         self.assert_kicks(self.found(self.root / "ann.7z")[0], "ann")
 
+    def test_a_seven_zip_of_zeros_is_read_to_a_limit(self):
+        if not shutil.which("bsdtar"):
+            self.skipTest("bsdtar (libarchive-tools) is not installed")
+        zeros = self.root / "zeros"
+        zeros.touch()
+        os.truncate(zeros, 300 << 20)
+        folder = self.put({f"ann/{WHERE}": KICK})
+        subprocess.run(["bsdtar", "--format=7zip", "--options", "7zip:compression=deflate,7zip:compression-level=1",
+                        "-cf", str(folder / "eve.7z"), "-C", str(self.root), "zeros"], check=True)
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann")
+        self.assertIn("a 7z that holds more than 256 MiB is not read", submissions["eve"].notes[0])
+
     def test_a_loose_file_makes_no_class_one_submission(self):
         files = {f"s{k:02d}/{WHERE}": KICK for k in range(30)}
         submissions, left = self.found(self.put(files | {"kick.cpp": b"x", "drift.cpp": b"x"}))
@@ -332,6 +362,20 @@ class Delivered(Finds):
         self.assertNotIn(str(self.root), " ".join(note for one in submissions.values() for note in one.notes))
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
+
+    def test_a_tar_of_holes_is_read_to_a_limit(self):
+        """A file of 2 GiB that takes no room, and members of a few bytes that claim 2 GiB."""
+        folder = self.put({f"ann/{WHERE}": KICK, "hole.tar": self.header("hole", 2 << 30),
+                           "file.tar": self.sparse("kick.cpp", 2 << 30), "inner.tar": self.sparse("more.tar", 2 << 30)})
+        os.truncate(folder / "hole.tar", 2 << 30)
+        self.assertLess((folder / "hole.tar").stat().st_blocks, 1 << 10)
+        used = time.process_time()
+        submissions, _ = self.found(folder)
+        self.assertLess(time.process_time() - used, 20)
+        self.assert_kicks(submissions, "ann")
+        self.assertIn("1024 MiB", submissions["hole"].notes[0])
+        self.assertIn("is larger than 256 KiB", submissions["file"].sources["kick"].problem)
+        self.assertIn("too large", submissions["inner"].notes[0])
 
     def test_what_cannot_be_looked_at_stops_nobody(self):
         """Folders that may not be listed, and files that are removed in the meantime."""
@@ -424,6 +468,18 @@ class Delivered(Finds):
         info.size = size
         return info.tobuf()
 
+    @classmethod
+    def sparse(cls, name: str, size: int) -> bytes:
+        """Returns an archive with one member in GNU's old form, which is a single hole."""
+        block = bytearray(cls.header(name, 0))
+        block[156:157] = tarfile.GNUTYPE_SPARSE
+        block[257:265] = b"ustar  \0"  # GNU's, in which the places of the data and the size follow
+        block[386:410] = b"%011o\0%011o\0" % (size, 0)
+        block[483:495] = b"%011o\0" % size
+        block[148:156] = b"        "
+        block[148:156] = b"%06o\0 " % sum(block)
+        return bytes(block) + bytes(1024)
+
     def test_names(self):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
                                ("A B_1_assignsubmission_file_w.zip", ("A B", "1", False, "w.zip")),
@@ -501,6 +557,10 @@ submission_13:
             self.assertEqual(set(submissions), {"submission_11", "submission_12"})
 
 
+class Ready(Exception):
+    """Ends a command where it would begin to grade."""
+
+
 class Doubts(Finds):
     def doubts(self, folder: Path) -> list[str]:
         return find_submissions([folder], self.root / "out").doubts
@@ -512,6 +572,39 @@ class Doubts(Finds):
             doubt, = self.doubts(folder)
             self.assertIn("no form that is known", doubt)
             shutil.rmtree(folder)
+
+    def grade(self, *words: str, answer: str | None) -> tuple[list[str], str]:
+        """Returns who would be graded, and what is printed; `answer` is what is typed, None without a terminal."""
+        graded, told = [], io.StringIO()
+
+        class Grades:
+            def __init__(self, _):
+                raise Ready
+
+        def typed(question: str) -> str:
+            told.write(question)
+            return answer
+
+        folder = self.put({"Downloads/a.pdf": b"x", "Music/b.mp3": b"x", "Work/kick.cpp": KICK})
+        arguments = parse(["grade", str(folder), "--out", str(self.root / "marks"), *words])
+        terminal = SimpleNamespace(isatty=lambda: answer is not None)
+        with (unittest.mock.patch("grading.grade.Grader", Grades), unittest.mock.patch("builtins.input", typed),
+              unittest.mock.patch("sys.stdin", terminal), contextlib.redirect_stdout(told)):
+            try:
+                grade(arguments)
+            except Ready:
+                graded.append("all")
+        return graded, told.getvalue()
+
+    def test_the_question_is_asked_and_answered(self):
+        for answer in ("n", "", "no", "what?"):
+            with self.assertRaisesRegex(BadInput, "nothing was graded"):
+                self.grade(answer=answer)
+            self.assertFalse((self.root / "marks").exists())
+        for words, answer, asked in (((), "y", True), ((), " YES ", True), ((), None, False), (("--yes",), "n", False)):
+            graded, told = self.grade(*words, answer=answer)
+            self.assertEqual((graded, "Grade these? [y/N] " in told), (["all"], asked), (words, answer))
+            self.assertEqual("Taken for a submission each: Downloads, Music, Work." in told, not words, told)
 
     def test_a_class_is_not(self):
         for files in (Delivered.MOODLE, {"ann/kick.cpp": KICK, "bo/kick.cpp": KICK, "cy/essay.docx": b"x"},
@@ -542,6 +635,21 @@ class Told(Finds):
         note, = self.notes({"chapters/work.rar": b"Rar!"})
         self.assertIn("this kind of archive is not read", note)
         self.assertIn("chapters/essay.txt", self.notes({"chapters/essay.txt": b"x"})[0])
+
+    def test_what_is_uncertain_is_told_to_the_instructor(self):
+        """One of two guesses, and a file of no exercise; but not a guess without another, nor one in its own place."""
+        for files, said in (({"kick (1).cpp": KICK, "kick (2).cpp": KICK}, "a guess; there is also kick (2).cpp"),
+                            ({"kick.cpp.txt": b"x", "kick_final.cpp": KICK, "KICK.cpp": b"y"}, "a guess; there is also"),
+                            ({"chapters/final.cpp": KICK}, "no file of an exercise was found in chapters/final.cpp"),
+                            ({WHERE: KICK, "final.cpp": KICK}, "not taken: final.cpp"),
+                            ({"kick (1).cpp": KICK}, ""), ({WHERE: KICK, "old/kick.cpp": KICK}, ""),
+                            ({"kick (1).cpp": KICK, "kick (2).cpp": STUB}, "")):
+            result = {"submission": "ann", "notes": self.notes(files)}
+            with self.subTest(files=list(files)):
+                told = uncertain([result])
+                self.assertEqual(len(told), 1 if said else 0, told)
+                self.assertIn(said, " ".join(told))
+        self.assertEqual(uncertain([{"submission": "ann", "notes": ["late: the platform's file name says so"]}]), [])
 
     def test_what_steers_a_reader_is_not_shown(self):
         for steering in ("\x1b[31m", "\x07", "\u202e", "\u2067", "\u200f", "\u061c", "\ufffa", "\U000e0041", "\x9b"):
@@ -574,6 +682,16 @@ class ReadApart(InFolder):
         self.assertEqual(read, read_submission(Handed("ann.zip", (Place(self.root / "ann.zip"),),
                                                       Student("ann.zip")), all_exercises()))
         self.assertEqual(set(read.sources), {"kick", "drift"})
+
+    def test_all_attempts_are_the_same(self):
+        places = []
+        for name in ("HW_ann_attempt_2026-11-20-10-11-12_work.zip", "HW_ann_attempt_2026-11-21-10-11-12_work.zip"):
+            (self.root / name).write_bytes(zipped({"kick.cpp": name.encode()}))
+            places.append(Place(self.root / name))
+        handed = Handed("ann", tuple(places), Student("ann"))
+        read = reading.read_apart(handed, all_exercises(), "best")
+        self.assertEqual(read, read_submission(handed, all_exercises(), "best"))
+        self.assertEqual(len(read.attempts["kick"]), 2)
 
     def test_what_takes_too_long(self):
         zeros = bz2.compress(Delivered.header("zeros", 4 << 30)) + bz2.compress(bytes(16 << 20)) * 64

@@ -1,7 +1,12 @@
 """The judge remembers certain verdicts, and runs the two processes of a test on one core."""
 
 import os
+import re
+import resource
+import shutil
 import signal
+import string
+import subprocess
 import tempfile
 import unittest
 import unittest.mock
@@ -9,17 +14,19 @@ from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
 
+from classroom import CORPUS
 from sandbox import all_exercises
 
+from errors import CourseError
 from grading.complaints import compiler_says
 from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
-from grading.isolation import ENVIRONMENT
-from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.isolation import ENVIRONMENT, NAMES, User, choose, take_user
+from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made, _not_compiled, _not_linked
+from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
 from grading.pair import Ran, _only_on, _take_core, exit_code
-from grading.submission import Handed, Source
+from grading.submission import Handed, Source, Submission
 
 
 class Judges(Judge):
@@ -71,7 +78,7 @@ class Remembers(unittest.TestCase):
 class Waits(unittest.TestCase):
     """A process that the clock has stopped may have waited for a busy machine."""
 
-    def run_all(self, rans: list[Ran], tests: list[str]) -> list[str]:
+    def run_all(self, rans: list[Ran], tests: list[str], compiling: float = 0.0, usual: float = 0.0) -> list[str]:
         pairs = []
 
         class OnePair:
@@ -83,10 +90,14 @@ class Waits(unittest.TestCase):
             def run(self, test):
                 return rans.pop(0)
 
+            def used_since(self):
+                return 0.0
+
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
             judge = Judges(Path(folder), [])
             judge._workshop.test_program = lambda exercise: None
-            ran = judge._run_all(next(iter(all_exercises())), tests, Made(Path()), None)
+            judge._usual["kick"] = usual
+            ran, _ = judge._run_all(next(iter(all_exercises())), tests, Made(Path(), used=compiling), None)
         self.assertEqual((rans, [verdict.test for verdict, _ in ran]), ([], tests))
         return [verdict.reason or verdict.verdict for verdict, _ in ran]
 
@@ -97,15 +108,87 @@ class Waits(unittest.TestCase):
         self.assertEqual(self.run_all([waited, passed, waited], ["a", "b"]), [PASSED, WAITED])
 
     def test_a_slow_pass_counts(self):
-        """The judge allows 2 s of a test, and 10 s of an exercise."""
+        """The judge allows 2 s of a test, and 10 s of an exercise; of work 3 s are free, or three times the reference's."""
         def passed(clock: float, used: float) -> Ran:
             return Ran((b"0", b"1", b""), clock=clock, used=used)
         tests = list("abcdef")
-        for ran, count in ((passed(7, 0), 2), (passed(2, 1.9), 6), (passed(5, 1.9), 6), (passed(2, 0.5), 6),
-                           (passed(0.9, 0), 6), (passed(4, 0), 4)):
-            done = min(count, len(tests))
-            self.assertEqual(self.run_all([ran] * done, tests), [PASSED] * done + [NOT_RUN] * (len(tests) - done),
-                             f"{ran.clock} s, of which {ran.used} s of processor time")
+        for ran, usual, count in ((passed(7, 0), 0, 2), (passed(2, 1.9), 0, 6), (passed(5, 1.9), 0, 6),
+                                  (passed(2, 0.5), 0, 6), (passed(0.9, 0), 0, 6), (passed(4, 0), 0, 4),
+                                  (passed(3, 2.7), 0, 5), (passed(3, 2.7), 2, 6), (passed(5, 4.5), 2, 4)):
+            self.assertEqual(self.run_all([ran] * count, tests, usual=usual),
+                             [PASSED] * count + [NOT_RUN] * (len(tests) - count),
+                             f"{ran.clock} s, of which {ran.used} s of processor time; usual {usual} s")
+
+    def test_compiling_slowly_counts(self):
+        """The judge allows 10 s of an exercise."""
+        passed = Ran((b"0", b"1", b""), clock=7)
+        for compiling, usual, count in ((14, 0, 0), (13, 0, 0), (10, 0, 1), (3, 0, 2), (14, 4, 2)):
+            self.assertEqual(self.run_all([passed] * count, list("abc"), compiling, usual),
+                             [PASSED] * count + [NOT_RUN] * (3 - count), f"{compiling} s; usual {usual} s")
+
+    def test_what_does_not_compile_slowly_counts(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judges(Path(folder), [])
+            judge._workshop.root = folder
+            made = Made(None, DOES_NOT_COMPILE, used=29.5)
+            with unittest.mock.patch("grading.judge.make", lambda *_: made):
+                verdict, _ = Judge._judge_anew(judge, exercise, Source("kick.cpp", b"x"), ["Kick.IsRight"], None)
+        self.assertEqual(judge.lost(exercise, verdict), 26.5)
+
+    def test_the_reference_tells_what_is_usual(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            for _ in range(2):  # the second time it is remembered
+                judge = Judges(Path(folder), [PASSED])
+                judge._judge_anew = lambda *_: (ExerciseVerdict([TestVerdict("Kick.IsRight", PASSED)], [], 4.0), True)
+                judge.judge(exercise, Source("kick.cpp", b"x", is_reference=True), None)
+                self.assertEqual(judge.lost(exercise, ExerciseVerdict([], [], 15.0)), 3.0)
+
+
+class Compiled(unittest.TestCase):
+    def test_its_time_is_told(self):
+        """By the shell that runs it, in each isolation that works here: a namespace hides it from outside."""
+        exercise = next(iter(all_exercises()))
+        spin = "i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done; exit 1"
+        for name in NAMES:
+            try:
+                isolation = choose(name)
+            except CourseError:
+                continue
+            user = take_user(isolation)
+            with self.subTest(name), tempfile.TemporaryDirectory(dir="/tmp") as folder:
+                Path(folder).chmod(0o755)
+                workshop = SimpleNamespace(headers=Path("/usr/include"), compile_command=lambda *_: [
+                    "/bin/sh", "-c", spin, "sh"])
+                made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, user, Path(folder))
+                self.assertEqual(made.verdict, DOES_NOT_COMPILE)
+                self.assertGreater(made.used, 0)
+            user.release()
+
+    def test_one_that_is_stopped_has_used_all(self):
+        """Stopped by the clock, it counts as 600 s, and by its output as 30 s."""
+        exercise = next(iter(all_exercises()))
+        workshop = SimpleNamespace(headers=Path("headers"), compile_command=lambda *_: ["g++"])
+        for ended, used in ((Ended(-9, "", False, True, 0.1), 30), (Ended(-9, "", True, False, 0.1), 600)):
+            isolation = SimpleNamespace(run=lambda *_, ended=ended: ended)
+            with tempfile.TemporaryDirectory() as folder:
+                made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))
+            self.assertEqual((made.verdict, made.used), (DOES_NOT_COMPILE, used))
+
+    def test_the_date_is_the_same_for_all(self):
+        """With each compiler that is here; the lines are those of a file of the corpus."""
+        asking = (CORPUS / "kick" / "asks_when_it_was_compiled.cpp").read_text(encoding="utf-8")
+        lines = ["#include <string_view>", *re.findall(r"^ *static_assert.*$", asking, re.MULTILINE)]
+        self.assertEqual(len(lines), 4)
+        for compiler in filter(None, map(shutil.which, ("g++", "clang++"))):
+            with self.subTest(compiler), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder, "kick.cpp")
+                file.write_text("\n".join(lines) + "\n")
+                os.utime(file, (0, 0))
+                command = [compiler, *options_of(os.path.realpath(compiler)), "-std=c++20", "-fsyntax-only", str(file)]
+                told = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True)
+                self.assertEqual((told.returncode, told.stderr), (0, ""))
 
 
 class Grades(Grader):
@@ -113,7 +196,7 @@ class Grades(Grader):
 
     def __init__(self):
         self.seed, self.exercises, self.failures = 1, [], []
-        self._jobs, self._seconds, self._points = 2, 2, "tests"
+        self._jobs, self._seconds, self._points, self._attempt = 2, 2, "tests", "last"
         self._weights = self._judge = None
         self._workshop, self.isolation = SimpleNamespace(sources=""), SimpleNamespace(name="", does_not_deny="")
 
@@ -134,6 +217,33 @@ class OneRow(unittest.TestCase):
         self.assertRegex(results[1]["notes"][0], "could not be graded: OSError: x{1000}")
         self.assertLess(len(results[1]["notes"][0]), 3000)
         self.assertEqual(len(grader.failures), 1)
+
+
+class Best(unittest.TestCase):
+    """Of several attempts the one with most points counts, of equal ones the last; all of them cost time."""
+
+    def judged(self, *of_attempts: list[str]) -> tuple[Submission, list[str], float]:
+        exercise = next(iter(all_exercises()))
+        sources = [Source(f"{k}.cpp", b"") for k in range(len(of_attempts))]
+        submission = Submission("ann", Student("ann"), {"kick": sources[0]}, attempts={"kick": sources})
+        verdicts = {source: ExerciseVerdict([TestVerdict(str(k), verdict) for k, verdict in enumerate(some)], [], 1.0)
+                    for source, some in zip(sources, of_attempts)}
+        grader = Grades()
+        grader._judge = SimpleNamespace(judge=lambda exercise, source, user: verdicts[source], lost=lambda _, one: one.used)
+        grader._weights = SimpleNamespace(of=lambda test: SimpleNamespace(points=int(test)))
+        verdict, seconds = grader._best_judged(submission, exercise, None)
+        return submission, [test.verdict for test in verdict.tests], seconds
+
+    def test_the_best_counts(self):
+        passed, failed = PASSED, TIMED_OUT
+        for of_attempts, best in (([[failed, passed, failed], [passed, passed, failed], [failed, failed, passed]], 2),
+                                  ([[failed, passed], [passed, passed]], 1), ([[failed, failed], [failed, failed]], 0),
+                                  ([[passed, passed], [passed, passed]], 0)):
+            submission, verdicts, seconds = self.judged(*of_attempts)
+            self.assertEqual(verdicts, of_attempts[best])
+            self.assertEqual(submission.sources["kick"].path, f"{best}.cpp")
+            self.assertEqual(submission.notes, [f"taken for kick: {best}.cpp, the best of {len(of_attempts)} attempts"])
+            self.assertEqual(seconds, len(of_attempts))
 
 
 class Status(unittest.TestCase):
@@ -174,6 +284,31 @@ class Complaints(unittest.TestCase):
         said = compiler_says(told, exercise, file, "int x;")
         self.assertTrue(said.startswith(f"{file}:1:1: error: 'aaa"))
         self.assertLess(len(said), 1000)
+
+
+class Demangled(unittest.TestCase):
+    """A short symbol may have a long name: here each parameter is a pair of two of the one before it."""
+
+    @staticmethod
+    def symbol(pairs: int) -> str:
+        return "_Z1fSt6vectorIiESt4pairIS0_S0_E" + "".join(f"S1_IS{k}_S{k}_E" for k in string.digits[2:] +
+                                                           string.ascii_uppercase[:pairs - 8])
+
+    def test_a_long_name_is_cut(self):
+        """It has 31 MB."""
+        told = _readable("_Z1gi", self.symbol(18))
+        self.assertTrue(told.startswith("g(int)\nf(std::vector<int>, "), told[:80])
+        self.assertLess(len(told), 1000)
+
+    def test_one_without_end_costs_little(self):
+        """It would have 130 GB."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.assertEqual(_readable(self.symbol(30)), self.symbol(30))
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 7)
+
+    def test_of_many_some_are_shown(self):
+        self.assertEqual(_readable(*["_Z1gi"] * 5000).splitlines(), ["g(int)"] * 20)
+        self.assertLessEqual(len(_readable("x" * (1 << 20))), 500)
 
 
 class Messages(unittest.TestCase):

@@ -1,13 +1,22 @@
 """The reference answers for nobody: the linked part of it contains neither the submission's exercise nor a later
 one."""
 
+import re
+import subprocess
+import tempfile
 import unittest
+from pathlib import Path
 
 from classroom import Classroom, right
 from sandbox import all_exercises
 
-from grading.objects import _defined_elsewhere
+from grading.isolation import choose, take_user
+from grading.objects import _defined_elsewhere, make
 from grading.reference import callable_from
+from grading.submission import Source
+from grading.workshop import Workshop
+from manifest import read_chapters
+
 MATRIX = "ERKN5Eigen6MatrixIdLi3ELi1ELi0ELi3ELi1EEE"
 KICK = f"_ZN5spook4kick{MATRIX}S4_dd"
 HEAD = '#include "01_leapfrog/leapfrog.hpp"\n#include "common/require.hpp"\n'
@@ -91,6 +100,40 @@ class GradeReference(unittest.TestCase):
         self.assertEqual(_defined_elsewhere(asked + here, {"f"}), "")
         for told in (there, here + there, asked, "", here.replace("of f", "of f@x")):
             self.assertEqual(_defined_elsewhere(told, {"f"}), "f", told)
+
+
+class Linked(unittest.TestCase):
+    """What a submission could read as machine code, and print."""
+
+    def functions_in(self, function: str, source: str) -> set[str]:
+        """Returns the exercises that have a function in the program of an answer."""
+        exercise = next(one for one in all_exercises() if one.function == function)
+        isolation = choose()
+        user = take_user(isolation)
+        self.addCleanup(user.release)
+        with tempfile.TemporaryDirectory(dir=self.workshop.root) as folder:
+            Path(folder).chmod(0o755)
+            made = make(exercise, Source(f"{function}.cpp", source.encode()), self.workshop, isolation, user, Path(folder))
+            self.assertIsNotNone(made.program, made.message)
+            told = subprocess.run(["nm", "-P", "--defined-only", str(made.program)], capture_output=True, text=True)
+        defined = {line.split()[0] for line in told.stdout.splitlines()}
+        return {name for name, symbols in self.workshop.functions.items() if symbols & defined}
+
+    @classmethod
+    def setUpClass(cls):
+        room = Classroom()  # closes the course to other users where that is needed
+        cls.addClassCleanup(room.close)
+        cls.workshop = Workshop([next(iter(read_chapters()))], None)
+        cls.addClassCleanup(cls.workshop.close)
+
+    def test_an_answer_has_no_other_exercise_than_those_that_it_names(self):
+        for function in ("kick", "drift", "half_step_start", "leapfrog_step"):
+            answer = right(function, "folded")
+            named = {one.function for one in all_exercises() if re.search(rf"\b{one.function}\(", answer)}
+            self.assertEqual(self.functions_in(function, answer), named, function)
+        once = "Vec3 const once = kick(v, f, inverse_mass, -h / 2);\n  return"
+        calling = right("half_step_start").replace("return", once)
+        self.assertEqual(self.functions_in("half_step_start", calling), {"half_step_start", "kick"})
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 """The table of weights is complete, and has a title for each test."""
 
+import tempfile
 import unittest
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from classroom import run_course
 from sandbox import ROOT, all_exercises
@@ -46,6 +48,14 @@ class Weights(unittest.TestCase):
             idle = set().union(*pool.map(lambda one: idle_tests(test_program(one), listed_tests(one)), chapters))
         self.assertGreater(len(idle), 20)
         self.assertEqual({test for test, row in rows.items() if row.points == 0}, idle)
+
+    def test_a_table_that_a_spreadsheet_has_saved(self):
+        """With a byte order mark before its first title."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "weights.csv")
+            file.write_text(TABLE.read_text(encoding="utf-8"), encoding="utf-8-sig")
+            self.assertEqual(file.read_bytes()[:3], b"\xef\xbb\xbf")
+            self.assertEqual(read_rows(file), read_rows(TABLE))
 
     def test_a_first_draft_takes_the_words_of_the_name(self):
         kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")

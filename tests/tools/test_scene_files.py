@@ -2,6 +2,7 @@
 
 import base64
 import copy
+import functools
 import json
 import math
 import re
@@ -111,6 +112,16 @@ def changed(path: str, value) -> dict:
     return scene
 
 
+
+def numbers_in(part, place: tuple = ()):
+    """Yields the places of all numbers, as the keys that lead to them."""
+    for key, value in part.items() if isinstance(part, dict) else enumerate(part):
+        if isinstance(value, (dict, list)):
+            yield from numbers_in(value, (*place, key))
+        elif isinstance(value, (int, float)) and not isinstance(value, bool):
+            yield *place, key
+
+
 class SceneFiles(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="spook-scenes-")
@@ -150,6 +161,22 @@ class SceneFiles(unittest.TestCase):
             done = self.spook("run", self.file)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr[:300])
             self.assertIn(words, done.stderr)
+
+    def test_a_number_near_the_largest_ends_in_at_most_a_line(self):
+        """Each number of the page's example in turn; its square, and most of its products, are infinite."""
+        places = list(numbers_in(EXAMPLE))
+        self.assertGreater(len(places), 30)
+        for place in places:
+            for value in (1e308, -1e308):
+                scene = copy.deepcopy(EXAMPLE)
+                *inside, last = place
+                within = functools.reduce(lambda part, key: part[key], inside, scene)
+                within[last] = value
+                self.file.write_text(json.dumps(scene))
+                with self.subTest(place=place, value=value):
+                    done = self.spook("run", self.file, "--time", "0.1")
+                    self.assertIn(done.returncode, (0, 1, 2), done.stderr)
+                    self.assertEqual(done.stderr.count("\n"), 0 if done.returncode == 0 else 1, done.stderr)
 
     def test_a_file_of_version_1_runs_with_its_own_words(self):
         bodies = [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, {"name": "ball", "x": [1, 0, 0], "mass": 1}]

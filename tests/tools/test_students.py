@@ -22,9 +22,9 @@ def git(folder: Path, *words: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
-def course(folder: Path, *words: str) -> subprocess.CompletedProcess:
+def course(folder: Path, *words: str, typed: str = "") -> subprocess.CompletedProcess:
     return subprocess.run([str(folder / "course"), *words], capture_output=True, text=True, cwd=folder,
-                          env=ENVIRONMENT, stdin=subprocess.DEVNULL)
+                          env=ENVIRONMENT, input=typed)
 
 
 def code_of(file: Path) -> list[str]:
@@ -126,9 +126,31 @@ class Students(unittest.TestCase):
         git(self.root, "clone", "-q", str(self.out), str(clone))
         shutil.copyfile(ROOT / "solutions" / "01_leapfrog" / "half_step_start.cpp",
                         clone / "chapters" / "01_leapfrog" / "half_step_start.cpp")
-        result = course(clone, "check", "1.3")
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertIn("1.3 half_step_start", result.stdout)
+        for words, said in ((("check", "1.3"), "1.3 half_step_start"), (("try", "1.3", "--once"), "v")):
+            result = course(clone, *words)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn(said, result.stdout)
+
+    def test_what_needs_no_compiler_works(self):
+        clone = self.root / "read"
+        git(self.root, "clone", "-q", str(self.out), str(clone))
+        for words, typed, said in ((("hint", "1.1"), "", "1.1 kick, hint 1 of"), (("predict", "1"), "\n" * 99, "Left for later")):
+            result = course(clone, *words, typed=typed)
+            self.assertEqual(result.returncode, 0, f"{words}: {result.stdout}{result.stderr}")
+            self.assertIn(said, result.stdout)
+
+    def test_nothing_is_missing_of_what_runs_and_draws(self):
+        """The programs of run, view, play and plot, with a student's functions and without. They are not compiled here:
+        the engine takes minutes."""
+        if not shutil.which("ninja"):
+            self.skipTest("ninja is not installed")
+        clone = self.root / "planned"
+        git(self.root, "clone", "-q", str(self.out), str(clone))
+        programs = [f"plot_{file.stem}{end}" for file in (ROOT / "plots" / "01_leapfrog").glob("*.cpp") for end in ("", "_mine")]
+        self.assertGreater(len(programs), 1)
+        for command in (["cmake", "--preset", "release"], ["ninja", "-C", "build/release", "-n", "spook", "spook_mine", *programs]):
+            result = subprocess.run(command, capture_output=True, text=True, cwd=clone, env=ENVIRONMENT)
+            self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr)
 
     def test_what_is_refused(self):
         (self.root / "full").mkdir(exist_ok=True)

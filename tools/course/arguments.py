@@ -5,6 +5,7 @@ import argparse
 from errors import BadInput
 from grading.isolation import NAMES
 from grading.results import RULES
+from grading.submission import ATTEMPTS
 from grading.weights import TABLE
 from paths import BUILD
 from pick import near
@@ -248,12 +249,15 @@ def _add_grade(command: Parser) -> None:
                          help="table of points, titles, hints, visibility (default: tests/weights.csv)")
     command.add_argument("--points", choices=RULES, default=RULES[0],
                          help="points for whole exercises (default), or for each test")
+    command.add_argument("--attempt", choices=ATTEMPTS, default=ATTEMPTS[0],
+                         help="which of a student's attempts on a platform counts (default: last)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="processor time for each test (default: 10)")
-    command.add_argument("--exercise-time", type=_count, default=60, metavar="SECONDS",
-                         help="largest total of time-outs in an exercise; then its other tests are skipped (default: 60)")
-    command.add_argument("--submission-time", type=_count, default=600, metavar="SECONDS",
-                         help="largest total of time-outs in a submission (default: 600)")
+    command.add_argument("--exercise-time", type=_count, default=20, metavar="SECONDS",
+                         help="largest total of time-outs and slow work in an exercise; then its other tests are skipped "
+                              "(default: 20)")
+    command.add_argument("--submission-time", type=_count, default=120, metavar="SECONDS",
+                         help="largest total of time-outs and slow work in a submission (default: 120)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"isolation of submissions (default: the first that works of {', '.join(NAMES)})")
     command.add_argument("--fresh", action="store_true",

@@ -324,6 +324,8 @@ def _of_seven(file) -> Iterator[Entry]:
         made = subprocess.run(["prlimit", "--cpu=20", f"--as={1 << 30}", "--", "/bin/sh", "-c",
                                f'"$0" "$@" | head -c {4 * _LARGEST_ARCHIVE + 1}', bsdtar, "--format=gnutar", "-cf", "-",
                                f"@{copy.name}"], capture_output=True)
-    if made.returncode != 0 or len(made.stdout) > 4 * _LARGEST_ARCHIVE:
+    if len(made.stdout) > 4 * _LARGEST_ARCHIVE:
+        raise ValueError(f"a 7z that holds more than {4 * _LARGEST_ARCHIVE >> 20} MiB is not read")
+    if made.returncode != 0:
         raise ValueError(made.stderr.decode(errors="replace").strip() or "bsdtar cannot read it")
     yield from _of_tar(tarfile.open(fileobj=io.BytesIO(made.stdout)))

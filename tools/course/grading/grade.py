@@ -9,7 +9,7 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from exporting import gradescope
 from grading.delivery import Delivery, find_submissions
-from grading.gradebook import Class, not_graded, statistics_line, write_gradebook
+from grading.gradebook import Class, not_graded, statistics_line, uncertain, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
 from grading.merge import merge, missing_shards, set_aside, write_delivery
@@ -30,6 +30,7 @@ from terminal import fold
 
 
 _NAMED = 10  # submissions that are named before a question
+_UNCERTAIN = 20  # lines about files that may be others than those meant
 
 
 def grade(arguments) -> int:
@@ -85,6 +86,7 @@ def _grade(arguments) -> int:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
                                                          "its results are set aside" for name in gone])
+    _say_what_is_uncertain(results, out)
     if not results:
         print("This shard has no submissions.")
         return 0
@@ -136,7 +138,7 @@ def _has_results(folder: Path) -> bool:
 
 def _for_a_shard(arguments) -> list[str]:
     """Returns the options for a shard, which are those given here."""
-    words = ["--jobs", str(arguments.jobs), "--points", arguments.points,
+    words = ["--jobs", str(arguments.jobs), "--points", arguments.points, "--attempt", arguments.attempt,
              "--weights", str(Path(arguments.weights).absolute())]
     for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
         if (value := getattr(arguments, name)) is not None:
@@ -157,6 +159,7 @@ def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
     if compare:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class))
+    _say_what_is_uncertain(results, out)
     missing = missing_shards(folders) if names is None else []
     print(f"{statistics_line(results)}.\n{_where(out)}.")
     if missing:
@@ -171,6 +174,16 @@ def _compare(out: Path, results: list[dict]) -> None:
     pairs = f"{len(found.pairs)} pair{'' if len(found.pairs) == 1 else 's'}"
     print(fold(f"{pairs} of submissions share unusually much, and {len(found.references)} are the reference's: "
                f"{shown(out / 'similarity.html')}."))
+
+
+def _say_what_is_uncertain(results: list[dict], out: Path) -> None:
+    lines = uncertain(results)
+    if lines:
+        print("Files to look at:")
+        for line in lines[:_UNCERTAIN]:
+            print(fold(f"- {line}", "  "))
+    if len(lines) > _UNCERTAIN:
+        print(f"- {len(lines) - _UNCERTAIN} more: see {shown(out / 'summary.md')}")
 
 
 def _say_who_is_missing(lines: list[str]) -> None:

@@ -10,9 +10,11 @@ from grading.judge import VERDICTS
 from grading.report import RULE
 from grading.results import tampered
 from grading.roster import Roster
+from grading.submission import A_GUESS, NOT_TAKEN, NOTHING_FOUND
 from grading.text import markdown, one_line
 
 
+_LONGEST = 300  # characters of a line on the terminal
 _BEGINS_ONE = "=+\\-@\uff1d\uff0b\uff0d\uff20"  # the last four in their wide forms, as some spreadsheets read them
 _FORMULA = re.compile(rf"""([;,]\s*["']?)([{_BEGINS_ONE}])""")
 
@@ -57,6 +59,12 @@ def not_graded(results: list[dict], of_class: Class) -> list[str]:
     return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
             + [f"{one_line(name)}: on the roster, and {reason}" for name, reason in missing]
             + [f"{one_line(name)}: {one_line(why[name]) or 'graded, and not on the roster'}" for name in strangers])
+
+
+def uncertain(results: list[dict]) -> list[str]:
+    """Returns a line for each note about a file that was guessed, or that has no exercise's name."""
+    return [f"{one_line(result['submission'])}: {one_line(note)[:_LONGEST]}" for result in results
+            for note in result["notes"] if A_GUESS in note or note.startswith((NOTHING_FOUND, NOT_TAKEN))]
 
 
 def _percents(results: list[dict]) -> list[float]:

@@ -10,7 +10,8 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from grading.confined import STOP, Interrupted
 from grading.isolation import User, choose, take_user
-from grading.judge import ExerciseVerdict, Judge
+from grading.judge import PASSED, ExerciseVerdict, Judge
+from grading.names import unseen_shown
 from grading.reading import read_apart
 from grading.report import report_of
 from grading.results import folder_of, result_of, write_json
@@ -37,6 +38,7 @@ class Grader:
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
         self._points = arguments.points
+        self._attempt = arguments.attempt
         self._of_submission = arguments.submission_time
         hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
         check_hidden(hidden, self.chapters)
@@ -89,17 +91,18 @@ class Grader:
 
     def grade_one(self, handed: Handed, out: Path, on_exercise: Callable[[dict, int], None] | None = None) -> dict:
         """Grades one submission. `on_exercise` gets the results so far, and the number of exercises left."""
-        submission = read_apart(handed, self.exercises)
+        submission = read_apart(handed, self.exercises, self._attempt)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
         user, lost = self._users.get(), 0.0
         try:
             for count, exercise in enumerate(self.exercises):
                 if on_exercise:
                     on_exercise(self._result(submission, judged), len(self.exercises) - count)
-                judged[exercise] = (self._judged(submission, exercise, user)
-                                    if lost < self._of_submission or exercise.function not in submission.sources
-                                    else self._judge.without_time(exercise))
-                lost += self._judge.lost(judged[exercise])
+                if lost < self._of_submission or exercise.function not in submission.sources:
+                    judged[exercise], seconds = self._best_judged(submission, exercise, user)
+                    lost += seconds
+                else:
+                    judged[exercise] = self._judge.without_time(exercise)
         finally:
             self._users.put(user)
         result = self._result(submission, judged)
@@ -119,11 +122,28 @@ class Grader:
             self.failures.append(f"{one_line(handed.name)}: its results cannot be written: {failed}")
         return result
 
-    def _judged(self, submission: Submission, exercise: Exercise, user: User) -> ExerciseVerdict:
-        """Judges one exercise. An error in the grader itself costs only this exercise of this submission, and is
-        reported at the end."""
+    def _best_judged(self, submission: Submission, exercise: Exercise, user: User) -> tuple[ExerciseVerdict, float]:
+        """Judges one exercise, and where the best attempt counts, each of them. Returns the verdict that counts, and the
+        seconds lost with all of them."""
+        function = exercise.function
+        sources = submission.attempts.get(function, [submission.sources.get(function)])
+        verdicts = [self._judged(submission, exercise, source, user) for source in sources]
+        best = max(range(len(sources)), key=lambda k: self._worth(verdicts[k]))  # of equal ones the last attempt
+        if len(sources) > 1:
+            submission.sources[function] = sources[best]
+            submission.notes.append(f"taken for {function}: {unseen_shown(sources[best].path)}, the best of "
+                                    f"{len(sources)} attempts")
+        return verdicts[best], sum(self._judge.lost(exercise, verdict) for verdict in verdicts)
+
+    def _worth(self, verdict: ExerciseVerdict) -> tuple[bool, float]:
+        passed = [test.test for test in verdict.tests if test.verdict == PASSED]
+        return len(passed) == len(verdict.tests), sum(self._weights.of(test).points for test in passed)
+
+    def _judged(self, submission: Submission, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
+        """Judges one file. An error in the grader itself costs only this exercise of this submission, and is reported
+        at the end."""
         try:
-            return self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+            return self._judge.judge(exercise, source, user)
         except Interrupted:
             raise
         except Exception as error:
@@ -141,7 +161,7 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8", errors="replace")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds,
+        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "seconds_a_test": self._seconds,
                     "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)

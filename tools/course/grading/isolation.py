@@ -30,8 +30,8 @@ _WHAT_IT_DOES_NOT_DENY = {
 _FIRST_UID, _LAST_UID = 61_000, 61_999
 _SYSTEM = ("/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32")
 _PROBE = Limits(cpu=5, wall=20, memory=1 << 30, files=1 << 20, processes=16, output=1 << 16)
-# With a date of its own for a compiler: __TIME__ is the same whenever a file is graded.
-ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C", "SOURCE_DATE_EPOCH": "0"}
+# With a date of its own for a compiler: __TIME__ and __TIMESTAMP__ are the same whenever and wherever a file is graded.
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C", "TZ": "UTC0", "SOURCE_DATE_EPOCH": "0"}
 
 
 class Isolation:

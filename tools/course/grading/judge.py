@@ -35,6 +35,8 @@ _FORGOTTEN = "forgotten"  # written when --fresh was last given: what is older i
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
 _LAST_WORDS = 4000  # characters of what it printed, in which an assertion is sought
+# An answer may use three times the processor time of the reference for each exercise, and this many seconds; more counts.
+_TIMES, _FREE = 3, 3.0
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
 _BUSY = 8  # times as long as its processor time is what a test may take on the clock of a machine with much to do
 _NOT_SENT = 97  # exit code of tests/remote/answering.cpp, most often where an answer is longer than a message may be
@@ -48,14 +50,14 @@ class TestVerdict:
     reason: str = ""  # in a few words, such as a signal
     message: str = ""
     printed: str = ""
-    slow: float = 0.0  # seconds that it cost although it was not stopped
+    waited: float = 0.0  # seconds that it waited although it was not stopped
 
 
 @dataclass
 class ExerciseVerdict:
     tests: list[TestVerdict]
     notes: list[str]
-    slow: float = 0.0  # seconds that it took to compile, if that is far more than an answer needs
+    used: float = 0.0  # seconds of processor time, of the compiler and of tests whose time was not up
 
 
 class Judge:
@@ -69,6 +71,7 @@ class Judge:
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
         self._memory = memory
+        self._usual: dict[str, float] = {}  # seconds of processor time that the reference uses, by exercise
         memory.mkdir(parents=True, exist_ok=True)
         if forget:
             (memory / _FORGOTTEN).touch()
@@ -85,11 +88,14 @@ class Judge:
         return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "could not be graded",
                     f"The grader itself has failed here ({type(error).__name__}): {error}"[:_MESSAGE])
 
-    def lost(self, verdict: ExerciseVerdict) -> float:
-        """Returns the seconds lost to time-outs, by kind, and the slow tests, as they were judged."""
+    def lost(self, exercise: Exercise, verdict: ExerciseVerdict) -> float:
+        """Returns the seconds lost to time-outs, by kind, to waiting, and to more work than an answer needs."""
         cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
-        return verdict.slow + sum(cost.get(test.reason, 0) if test.verdict == TIMED_OUT else test.slow
-                                  for test in verdict.tests)
+        return self._excess(exercise, verdict.used) + sum(cost.get(test.reason, 0) if test.verdict == TIMED_OUT else
+                                                          test.waited for test in verdict.tests)
+
+    def _excess(self, exercise: Exercise, used: float) -> float:
+        return max(0.0, used - max(_FREE, _TIMES * self._usual.get(exercise.function, 0.0)))
 
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
@@ -106,6 +112,8 @@ class Judge:
             right = all(test.verdict == PASSED for test in known.tests)
             if right or not source.is_reference:  # the reference has another try: a slow machine may have stopped it
                 self._remember(key, known, 0.0 if certain else _load())
+        if source.is_reference:
+            self._usual[exercise.function] = known.used
         return known
 
     def _judge_anew(self, exercise: Exercise, source: Source, tests: list[str],
@@ -118,30 +126,31 @@ class Judge:
             if made.verdict == DOES_NOT_COMPILE and is_stub(source.text):
                 return _all(tests, NOT_STARTED, message=STILL_A_STUB), True
             if not made.program:
-                verdict = replace(_all(tests, made.verdict, made.reason, made.message), slow=made.slow)
+                verdict = replace(_all(tests, made.verdict, made.reason, made.message), used=made.used)
                 return verdict, "stopped by a limit" not in made.message
-            ran = self._run_all(exercise, tests, made, user)
-            return (ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes), made.slow),
+            ran, used = self._run_all(exercise, tests, made, user)
+            return (ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes), round(used, 1)),
                     all(sure for _, sure in ran))
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
     def _run_all(self, exercise: Exercise, tests: list[str], made: Made,
-                 user: User) -> list[tuple[TestVerdict, bool]]:
-        """Runs all tests with one pair of processes, or with another after one that could not continue."""
+                 user: User) -> tuple[list[tuple[TestVerdict, bool]], float]:
+        """Runs all tests with one pair of processes, or with another after one that could not continue. Returns also
+        the seconds of processor time, with those of the compiler."""
         ran: list[tuple[TestVerdict, bool]] = []
-        pair, was_stopped = None, False
+        pair, was_stopped, used = None, False, made.used
         try:
             for test in tests:
                 if pair and not pair.alive and not pair.was_asked:
                     # It ends before it can be asked anything, and would for every test.
                     ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
                     continue
-                so_far = ExerciseVerdict([verdict for verdict, _ in ran], [], made.slow)
-                if self.lost(so_far) >= self._of_exercise:
+                so_far = ExerciseVerdict([verdict for verdict, _ in ran], [], used)
+                if self.lost(exercise, so_far) >= self._of_exercise:
                     verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
                                           "were slow, or had to be stopped before.")
-                    ran.append((verdict, not any(one.slow for one in so_far.tests)))
+                    ran.append((verdict, not self._excess(exercise, used) and not any(one.waited for one in so_far.tests)))
                     continue
                 if not pair or not pair.alive:
                     pair = self._pair(exercise, made.program, user)
@@ -151,10 +160,13 @@ class Judge:
                     was_stopped, pair = True, self._pair(exercise, made.program, user)
                     told = pair.run(test)
                 ran.append(self._verdict(test, told))
+                if ran[-1][0].verdict != TIMED_OUT:  # which costs a fixed number of seconds
+                    used += told.used
+            used += pair.used_since() if pair else 0.0
         finally:
             if pair and pair.alive:
                 pair.close()
-        return ran
+        return ran, used
 
     def _pair(self, exercise: Exercise, program: Path, user: User) -> Pair:
         return Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
@@ -167,20 +179,11 @@ class Judge:
         verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
         return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip(),
-                            self._slow(ran)),
+                            _waited(ran)),
                 not ran.timed_out or reason == WAITED)
 
-    def _slow(self, ran: Ran) -> float:
-        """Returns the seconds of processor time, if they exceed half of a test's limit, and the seconds of waiting.
-
-        On a busy machine a test waits, too, but not for much longer than it computes.
-        """
-        computed = ran.used if 2 * ran.used > self._limits.cpu else 0.0
-        waited = max(ran.clock - SLOW - _BUSY * ran.used, 0.0) if ran.clock > SLOW else 0.0
-        return round(computed + waited, 1)
-
     def _key(self, exercise: Exercise, source: Source) -> str:
-        limits = repr(self._limits_of(exercise))
+        limits = repr((self._limits_of(exercise), self._of_exercise))
         parts = [self._workshop.build, exercise.label, str(self._seed), limits, self._isolation.name]
         return hashlib.sha256("\0".join(parts).encode() + b"\0" + source.content).hexdigest()
 
@@ -192,7 +195,7 @@ class Judge:
             found = json.loads(file.read_text(encoding="utf-8"))
             if found["load"] > 1 and _load() < found["load"] / 2:
                 return None  # it was stopped by the clock, on a machine that was busy, and is less so now
-            return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"], found["slow"])
+            return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"], found["used"])
         except (OSError, ValueError, TypeError, KeyError):
             return None  # never written, or cut off
 
@@ -201,6 +204,11 @@ class Judge:
         with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
             json.dump(asdict(verdict) | {"load": load}, file)
         os.replace(file.name, self._memory / f"{key}.json")
+
+
+def _waited(ran: Ran) -> float:
+    """Returns the seconds of waiting. On a busy machine a test waits, too, but not for much longer than it computes."""
+    return round(max(ran.clock - SLOW - _BUSY * ran.used, 0.0), 1) if ran.clock > SLOW else 0.0
 
 
 def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:

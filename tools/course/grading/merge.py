@@ -8,7 +8,7 @@ from errors import BadInput
 from grading.results import SCHEMA, write_json
 from paths import shown
 
-_THE_SAME = ("points", "seed", "seconds_a_test", "tests", "max_score")
+_THE_SAME = ("points", "attempt", "seed", "seconds_a_test", "tests", "max_score")
 _RECORD = "delivery.json"
 _REMOVED = "no longer handed in"
 
@@ -48,9 +48,9 @@ def merge(folders: list[Path], out: Path) -> tuple[list[dict], list[tuple[str, s
     first = next(iter(results.values()))
     for result in results.values():
         for key in _THE_SAME:
-            if result[key] != first[key]:
-                raise BadInput(f"grade: {result['submission']} was graded with another {key} ({result[key]}) than "
-                               f"{first['submission']} ({first[key]})")
+            if result.get(key) != first.get(key):
+                raise BadInput(f"grade: {result['submission']} was graded with another {key} ({result.get(key)}) than "
+                               f"{first['submission']} ({first.get(key)})")
     for folder in folders:
         for one in sorted((folder / "submissions").iterdir()):
             if (out / "submissions" / one.name).resolve() != one.resolve():

@@ -25,7 +25,13 @@ from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
 _COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_TOOK = "took"
+# A namespace of processes tells nobody outside what its processes have used, so the shell inside writes it.
+_TIMED = ["/bin/sh", "-c", f'"$@"; code=$?; times > {_TOOK}; exit $code', "sh"]
 _MEMORY = 900 << 20  # bytes of an object, of the 1 GiB that its process may have: with more it would not start
+# Clang before 16 knows no SOURCE_DATE_EPOCH, by which GCC takes the date.
+_CLANGS_OWN = ["-fno-caret-diagnostics", "-Wno-builtin-macro-redefined", '-D__DATE__="Jan  1 1970"',
+               '-D__TIME__="00:00:00"', '-D__TIMESTAMP__="Thu Jan  1 00:00:00 1970"']
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
@@ -43,7 +49,7 @@ class Made:
     reason: str = ""
     message: str = ""
     notes: tuple[str, ...] = ()
-    slow: float = 0.0  # seconds that it took to compile, if more than half of what it may
+    used: float = 0.0  # seconds of processor time that it took to compile
 
 
 def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isolation, user: User,
@@ -58,15 +64,27 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     user.own(compiling)
 
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
-    command.append("-fno-caret-diagnostics" if "clang" in command[0] else "-fno-diagnostics-show-caret")
+    command += options_of(command[0])
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)
-    ended = isolation.run(command, _COMPILING, user, tuple(reads), (compiling,), compiling)
+    ended = isolation.run([*_TIMED, *command], _COMPILING, user, tuple(reads), (compiling,), compiling)
     made = (_not_compiled(exercise, source, file, ended) if ended.code != 0 else
             _from_object(exercise, source, file, workshop, isolation, compiling / "student.o", linking))
-    took = _COMPILING.wall if ended.timed_out else ended.cpu
-    return replace(made, slow=round(took, 1) if 2 * took > _COMPILING.cpu else 0.0)
+    took = _COMPILING.wall if ended.timed_out else _seconds_in(compiling / _TOOK)
+    return replace(made, used=round(took, 1))
+
+
+def _seconds_in(file: Path) -> float:
+    """Returns the processor seconds of the compiler; all that it may have if it was stopped before they were written."""
+    told = file.read_text(encoding="utf-8", errors="replace") if file.is_file() and not file.is_symlink() else ""
+    times = re.findall(r"(\d+)m(\d+\.\d+)s", told)
+    return sum(60 * int(minutes) + float(seconds) for minutes, seconds in times) if times else _COMPILING.cpu
+
+
+def options_of(compiler: str) -> list[str]:
+    """Returns the options of a compiler for all submissions: it quotes no file, and tells one date to all."""
+    return _CLANGS_OWN if "clang" in compiler else ["-fno-diagnostics-show-caret"]
 
 
 _WORDLESS = "The compiler gave up, and named no line of the file: it may have needed more memory than there is."
@@ -181,7 +199,7 @@ def _readable(*symbols: str) -> str:
     shell = f"exec prlimit --cpu=5 --as={1 << 30} -- c++filt | head -c {_NAMES}"
     names = "\n".join(symbol[:_NAMES] for symbol in symbols[:_MOST_NAMES]) + "\n"
     told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True,
-                          errors="replace").stdout
+                          errors="replace").stdout or names  # of one that takes too long nothing is printed
     return "\n".join(line[:_NAME] for line in told.splitlines())
 
 

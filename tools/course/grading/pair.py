@@ -40,7 +40,7 @@ class Ran:
     too_much: bool = False
     cpu: float = 0.0  # seconds of the student's process
     clock: float = 0.0  # seconds that the test took
-    used: float = 0.0  # of a slow one: seconds of processor time of both processes since the last slow one
+    used: float = 0.0  # of a slow one or the last: processor seconds of both processes since the last slow one
 
 
 class Pair:
@@ -81,6 +81,10 @@ class Pair:
         self._stack.close()
         self._isolation.clear(self._user)
 
+    def used_since(self) -> float:
+        """Returns the seconds of processor time of both processes that no result has told yet."""
+        return self._newly_used() if self.alive else 0.0
+
     def run(self, test: str) -> Ran:
         """Runs one test. A pair that cannot continue is closed afterwards."""
         with contextlib.suppress(BrokenPipeError):
@@ -114,9 +118,13 @@ class Pair:
             code, cpu = self._last_words(too_much)
         of_test = exit_code(found.get(b"done", (b"0",))[0])
         clock = time.monotonic() - begun
+        ends = timed_out or too_much or b"partner" not in found or b"nonsense" in found
+        before = self._counted
+        used = self._newly_used() if clock > SLOW or ends else 0.0
+        # A process that has ended may be gone, but its last words tell what it used.
         ran = Ran(found.get(b"verdict"), b"nonsense" in found, code, 0 if of_test == _TOLD else of_test,
-                  text_of(printed), timed_out, too_much, cpu, clock, self._newly_used() if clock > SLOW else 0.0)
-        if timed_out or too_much or b"partner" not in found or b"nonsense" in found:
+                  text_of(printed), timed_out, too_much, cpu, clock, max(used, cpu - before, 0.0))
+        if ends:
             self.close()
         return ran
 

@@ -15,7 +15,7 @@ from pathlib import Path, PurePosixPath
 from grading.archives import is_archive, names_in
 from grading.confined import Limits, run
 from grading.names import Student
-from grading.submission import Handed, Place, Source, Submission, read_submission
+from grading.submission import ATTEMPTS, Handed, Place, Source, Submission, read_submission
 from manifest import Exercise, all_exercises
 
 _READING = Limits(cpu=30, wall=120, memory=2 << 30, files=128 << 20, processes=0, output=1 << 16)
@@ -28,22 +28,23 @@ class NotRead(Exception):
     """The submission was not read, for this reason."""
 
 
-def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
+def read_apart(handed: Handed, exercises: list[Exercise], attempt: str = ATTEMPTS[0]) -> Submission:
     """Reads a submission as read_submission does. One beyond the limits has no files, and a note gives the reason.
 
     Folders without an archive are read here, since nothing in them is unpacked.
     """
     if all(place.path.is_dir() and not any(is_archive(name.name) for name in names_in(place.path, opened=False))
            for place in handed.places):
-        return read_submission(handed, exercises)
+        return read_submission(handed, exercises, attempt)
     try:
         found = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
-                        "late": handed.student.late, "exercises": [exercise.function for exercise in exercises]})
+                        "late": handed.student.late, "attempt": attempt,
+                        "exercises": [exercise.function for exercise in exercises]})
     except NotRead as error:
         return Submission(handed.name, handed.student, {}, [*handed.notes, f"it cannot be read: {error}"])
-    sources = {function: Source(path, base64.b64decode(content), problem, is_link)
-               for function, path, content, problem, is_link in found["sources"]}
-    return Submission(handed.name, handed.student, sources, [*handed.notes, *found["notes"]])
+    sources = {function: _unpacked(source) for function, source in found["sources"].items()}
+    attempts = {function: [_unpacked(source) for source in some] for function, some in found["attempts"].items()}
+    return Submission(handed.name, handed.student, sources, [*handed.notes, *found["notes"]], attempts)
 
 
 def names_apart(path: Path) -> list[PurePosixPath]:
@@ -88,7 +89,16 @@ def _names(request: dict) -> list[str]:
 def _submission(request: dict) -> dict:
     exercises = [exercise for exercise in all_exercises() if exercise.function in request["exercises"]]
     places = tuple(Place(Path(path), inside) for path, inside in request["places"])
-    submission = read_submission(Handed("", places, Student("", late=request["late"])), exercises)
-    sources = [(function, source.path, base64.b64encode(source.content).decode(), source.problem, source.is_link)
-               for function, source in submission.sources.items()]
-    return {"sources": sources, "notes": submission.notes}
+    submission = read_submission(Handed("", places, Student("", late=request["late"])), exercises, request["attempt"])
+    attempts = {function: [_packed(source) for source in some] for function, some in submission.attempts.items()}
+    return {"sources": {function: _packed(source) for function, source in submission.sources.items()},
+            "attempts": attempts, "notes": submission.notes}
+
+
+def _packed(source: Source) -> list:
+    return [source.path, base64.b64encode(source.content).decode(), source.problem, source.is_link]
+
+
+def _unpacked(packed: list) -> Source:
+    path, content, problem, is_link = packed
+    return Source(path, base64.b64decode(content), problem, is_link)

@@ -18,6 +18,9 @@ _MOST_CANDIDATES = 20  # for one exercise
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
 _COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?|[-_ ](?:final|v)\d*)$"
                    r"|^(?:copy of|kopie von) ")
+ATTEMPTS = ("last", "first", "best")  # of several on a platform, the one that counts
+# Words of notes about what an instructor should look at.
+A_GUESS, NOTHING_FOUND, NOT_TAKEN = ", a guess", "no file of an exercise was found in", "not an exercise's file, so not taken"
 _ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")
 
 
@@ -62,6 +65,7 @@ class Submission:
     student: Student
     sources: dict[str, Source]  # by the exercise's function
     notes: list[str] = field(default_factory=list)
+    attempts: dict[str, list[Source]] = field(default_factory=dict)  # where the best counts: all, the last one first
 
 
 @dataclass(frozen=True)
@@ -71,12 +75,12 @@ class _Candidate:
     entry: Entry
 
 
-def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
+def read_submission(handed: Handed, exercises: list[Exercise], attempt: str = ATTEMPTS[0]) -> Submission:
     """Reads a submission, and never raises for its content: a damaged archive is a submission without files, and its
     notes give the reason."""
     submission = Submission(handed.name, handed.student, {}, list(handed.notes))
     if handed.student.late:
-        submission.notes.append("handed in late, by the platform's name of it")
+        submission.notes.append("late: the platform's file name says so")
     seen: list[str] = []
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
@@ -88,13 +92,13 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             submission.notes.append(f"{place.path.name} cannot be read: {cause(error)}")
     for function, candidates in found.items():
-        _choose(submission, function, candidates)
+        _choose(submission, function, candidates, attempt)
     if not found:
         _say_what_is_there(submission, seen)
     else:
         others = [name for name in seen if _is_worth_a_line(name)]
         if others:
-            submission.notes.append(f"not an exercise's file, so not taken: {_listed(others)}")
+            submission.notes.append(f"{NOT_TAKEN}: {_listed(others)}")
     submission.notes = _cut(submission.notes)
     return submission
 
@@ -108,7 +112,7 @@ def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
         told = ", ".join(f"{name[:_NAME]} ({exercise.label})" for name, exercise in known[:_NAMES_IN_A_NOTE])
         submission.notes.append(f"of exercises that are not asked for now: {told}" + (f" and {more} more" if more > 0 else ""))
     elif seen:
-        submission.notes.append(f"no file of an exercise was found in {_listed(seen)}")
+        submission.notes.append(f"{NOTHING_FOUND} {_listed(seen)}")
     elif not any("cannot be read" in note for note in submission.notes):
         submission.notes.append("no file of an exercise was found: it is empty")
 
@@ -151,24 +155,37 @@ def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Ex
         seen.append(str(entry.path))
 
 
-def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
-    """Chooses the most certain file; of equal ones the last attempt, and the first that is not a stub."""
+def _choose(submission: Submission, function: str, candidates: list[_Candidate], attempt: str) -> None:
+    """Chooses the most certain file; of equal ones the last or first attempt, and the first that is not a stub."""
     candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
-    candidates.sort(key=lambda one: one.attempt, reverse=True)
+    candidates.sort(key=lambda one: one.attempt, reverse=attempt != "first")
     candidates.sort(key=lambda one: one.rank)
     if len(candidates) > _MOST_CANDIDATES:
         submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were examined")
         del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
-    chosen = next((k for k, source in enumerate(sources) if not source.problem
-                   and not is_stub(source.text)), 0)
-    if sources[0].problem:
-        chosen = 0  # what is where it belongs is what was handed in, and says why it can't be taken
+    chosen = _chosen(sources)
     submission.sources[function] = sources[chosen]
-    if candidates[chosen].rank > 0 or len(candidates) > 1:
+    attempts = sorted({one.attempt for one in candidates}, reverse=True)
+    if attempt == "best" and len(attempts) > 1:
+        of_attempts = [[source for one, source in zip(candidates, sources) if one.attempt == name] for name in attempts]
+        submission.attempts[function] = [some[_chosen(some)] for some in of_attempts]
+        return  # which one is taken is known when they are judged
+    taken = candidates[chosen]
+    if taken.rank > 0 or len(candidates) > 1:
         others = [source.path for k, source in enumerate(sources) if k != chosen]
-        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}"
+        equal = any((one.rank, one.attempt) == (taken.rank, taken.attempt) and not is_stub(source.text)
+                    for k, (one, source) in enumerate(zip(candidates, sources)) if k != chosen)
+        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}" + (A_GUESS if equal and taken.rank else "")
         submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
+
+
+def _chosen(sources: list[Source]) -> int:
+    """Returns the place of the first file that is no stub. But what is where it belongs is what was handed in, and says
+    why it can't be taken."""
+    if sources[0].problem:
+        return 0
+    return next((k for k, source in enumerate(sources) if not source.problem and not is_stub(source.text)), 0)
 
 
 def _is_worth_a_line(name: str) -> bool:
