@@ -29,20 +29,30 @@ static Json choice(Json control, const std::string& value, const std::vector<std
   return control;
 }
 
-/// Returns the range of a control: a factor of 30 in both directions, or from zero to one or two, within the
-/// parameter's limits.
+/// Returns a range of a factor of 30 in both directions, or from zero to one or two. An angle has the whole circle, and
+/// a ratio, which is at least 1, six decades.
+static Range wide_range(const Parameter& parameter) {
+  const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));
+  const Limits& limits = parameter.limits;
+  if (parameter.unit == "degrees") return {-180, 180, false, false};
+  if (limits.low == 1 && !limits.whole) return {1, std::max(1e6, value), true, false};
+  if (value > 0 && !(limits.high <= 1)) return {value / 30, value * 30, true, limits.whole};
+  return {limits.low >= 0 ? 0 : -size, size, false, limits.whole};
+}
+
+/// Returns a control with values within the parameter's limits.
 static Json control(const Parameter& parameter) {
   const Json begun = control_of(parameter.name, parameter.meaning);
   if (!parameter.choices.empty()) return choice(begun, parameter.choice, parameter.choices);
-  const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));
+  Range range = wide_range(parameter);
   const Limits& limits = parameter.limits;
-  Range range{.low = limits.low >= 0 ? 0 : -size, .high = size, .logarithmic = false, .whole = limits.whole};
-  if (value > 0 && !(limits.high <= 1)) range = {value / 30, value * 30, true, limits.whole};
   if (limits.whole) range.low = std::max(1.0, std::ceil(range.low));
   if (limits.whole) range.high = std::ceil(range.high);
-  range.low = std::max(range.low, limits.low);
-  range.high = std::min(range.high, limits.high);
-  return slider(begun, value, parameter.unit, range);
+  const double open =
+      range.logarithmic ? 0 : 1e-3 * (range.high - range.low);  // kept from a limit not included
+  range.low = std::max(range.low, limits.low_included ? limits.low : limits.low + open);
+  range.high = std::min(range.high, limits.high_included ? limits.high : limits.high - open);
+  return slider(begun, parameter.value, parameter.unit, range);
 }
 
 static std::vector<std::string> solver_names() {
@@ -62,6 +72,9 @@ Json controls(const SceneDescription& description, const Parameters& parameters,
                           method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
     list.push_back(choice(control_of("friction_model", "limits of the friction impulse"),
                           name_of(friction_model(method)), {"box", "two_pass", "cone"}));
+    list.push_back(
+        choice(control_of("row_order", "in which a sweep takes the rows; any but given needs gauss_seidel"),
+               name_of(method.row_order), row_orders()));
     list.push_back(choice(control_of("warm_start", "sweeps begin with the last step's impulses"),
                           method.warm_start ? "on" : "off", {"off", "on"}));
   }

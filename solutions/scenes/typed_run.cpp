@@ -159,7 +159,11 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
 
 void TypedRun::retype(const std::string& name, const std::string& value) {
   const std::vector<std::pair<std::string, std::optional<std::string>*>> options = {
-      {"h", &h}, {"solver", &solver}, {"iterations", &iterations}, {"friction_model", &friction_model}};
+      {"h", &h},
+      {"solver", &solver},
+      {"iterations", &iterations},
+      {"friction_model", &friction_model},
+      {"row_order", &row_order}};
   for (const auto& [option, typed] : options)
     if (option == name) {
       *typed = value;

@@ -1,11 +1,14 @@
 #include "spook/json.hpp"
 
-#include <array>
-
 namespace spook {
 
-static const char* name_of(RowOrder order) {
-  return std::array{"given", "up", "down", "random", "interleaved"}[static_cast<std::size_t>(order)];
+const std::vector<std::string>& row_orders() {
+  static const std::vector<std::string> names = {"given", "up", "down", "random", "interleaved"};
+  return names;
+}
+
+const std::string& name_of(RowOrder order) {
+  return row_orders()[static_cast<std::size_t>(order)];
 }
 
 Json numbers(const Vec3& v) {

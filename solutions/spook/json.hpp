@@ -11,6 +11,10 @@ using Json = nlohmann::ordered_json;
 /// Returns [x, y, z].
 Json numbers(const Vec3& v);
 
+/// The names of orders of rows, in the order of RowOrder.
+const std::vector<std::string>& row_orders();
+const std::string& name_of(RowOrder order);
+
 Json to_json(const Parameter& parameter);
 
 /// Returns an object of names and values.

@@ -22,6 +22,13 @@ def played(scene: str, settings: dict, steps: int) -> tuple[dict, dict]:
     return last(done.stdout)
 
 
+def refused(scene: str, settings: dict) -> str:
+    """Returns why the native program refuses these settings; empty if it does not."""
+    done = subprocess.run([native(), "play", scene], capture_output=True, text=True,
+                          input="".join(f"{json.dumps(line)}\n" for line in ({"pause": True}, {"set": settings})))
+    return next((line["refused"] for text in done.stdout.splitlines() if "refused" in (line := json.loads(text))), "")
+
+
 def last(text: str) -> tuple[dict, dict]:
     lines = [json.loads(line) for line in text.splitlines()]
     if refused := [line["refused"] for line in lines if "refused" in line]:

@@ -151,6 +151,14 @@ class Book(unittest.TestCase):
             folded = part.partition("<summary>Tests</summary>")[2].partition("</details>")[0]
             self.assertGreater(len(re.findall(r"<code>[A-Z]\w+</code>", folded)), 1, exercise.label)
 
+    def test_an_exercise_links_to_its_stub(self):
+        for exercise in all_exercises():
+            folder, file = self.folder / "chapters" / exercise.folder, exercise.file.name
+            text = (folder / "index.html").read_text(encoding="utf-8")
+            part = re.split(r"<h[23]", text.partition(f'id="{exercise.id.replace(".", "")}-{exercise.function}"')[2])[0]
+            self.assertIn(f'<a href="{file}.html"><code>{file}</code></a>', part, exercise.label)
+            self.assertIn(exercise.function, (folder / f"{file}.html").read_text(encoding="utf-8"))
+
     def test_the_first_text_waits_for_no_script(self):
         for page in self.pages:
             head, _, text = page.read_text(encoding="utf-8").partition("<article>")

@@ -2,6 +2,7 @@
 the search finds."""
 
 import gzip
+import html
 import re
 import unittest
 from pathlib import Path
@@ -126,6 +127,7 @@ class Pages(InBrowser):
 
 class Reading(InBrowser):
     BUDGET = 300_000  # bytes of a lesson before its pictures, as a server sends it: text is compressed
+    PICTURES = 1_800_000  # bytes of all pictures of the page of plots, in the same way
 
     def test_a_lesson_is_light(self):
         for page in [self.folder / "index.html", *sorted(self.folder.glob("chapters/[0-9][0-9]_*/index.html"))]:
@@ -139,6 +141,19 @@ class Reading(InBrowser):
             sent = (sum(len(gzip.compress(file.read_bytes())) for file in files)
                     + sum(file.stat().st_size for file in fonts))
             self.assertLess(sent, self.BUDGET, page)
+
+    def test_the_page_of_plots_has_a_bound(self):
+        """Its pictures, as a server sends them: drawings are text, which is compressed. They load when they come near."""
+        page = self.folder / "plots" / "index.html"
+        text = page.read_text(encoding="utf-8")
+        pictures = re.findall(r"<img [^>]*>", text)
+        files = {page.parent / unquote(html.unescape(re.search(r'src="([^"]+)"', picture)[1])) for picture in pictures}
+        self.assertGreater(len(files), 20)
+        for picture in pictures[1:]:
+            self.assertIn('loading="lazy"', picture)
+        sent = sum(len(gzip.compress(file.read_bytes())) for file in files)
+        self.assertLess(sent, self.PICTURES, sorted(((file.stat().st_size, file.name) for file in files))[-5:])
+        self.assertLess(len(gzip.compress(page.read_bytes())), 50_000)
 
     def test_the_first_text_needs_no_script(self):
         self.browser.emulate("Emulation.setScriptExecutionDisabled", value=True)

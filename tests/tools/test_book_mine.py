@@ -18,6 +18,7 @@ from unittest import mock
 from sandbox import ROOT, all_exercises
 
 import book
+import install
 import mine
 from binding.live import live_figure
 from errors import CourseError
@@ -105,6 +106,23 @@ class BookMine(unittest.TestCase):
             said = self.book()
         self.assertEqual(self.asked, {"views": True, "engine": None, "mine": True, "films of mine": True})
         self.assertIn("emscripten", said)
+
+    def test_em_is_offered_on_a_terminal_with_what_it_costs(self):
+        there = [False]
+        need = mock.Mock(package="emscripten", there=lambda: there[0], too_old=lambda: "")
+        installed = mock.Mock(side_effect=lambda *_: there.__setitem__(0, True))
+        for answer, wanted in (("n", None), ("", Path("spook_live_mine.js"))):
+            with self.subTest(answer), mock.patch.object(book, "LIVE_NEEDS", (need,)), \
+                    mock.patch.object(install, "_install", installed), \
+                    mock.patch.object(install, "is_offered", lambda _: True), \
+                    mock.patch.object(install.machine, "conda", lambda: False), \
+                    mock.patch.object(install, "_is_root", lambda: True), \
+                    mock.patch("sys.stdin", mock.Mock(isatty=lambda: True)), \
+                    mock.patch("builtins.input", lambda question: answer):
+                said = self.book()
+                self.assertIn("Missing: emscripten (so that figures run in their pages: a download of 110 MB", said)
+                self.assertEqual(self.asked["engine"], wanted)
+        installed.assert_called_once_with(["emscripten"], True)
 
     def test_with_nothing_written_it_is_the_reference_s(self):
         self.exercises = []

@@ -132,6 +132,21 @@ class Done(unittest.TestCase):
         self.assertIn("Every exercise is right. Well done!", said.getvalue())
 
 
+class Length(unittest.TestCase):
+    def test_the_board_fits_a_screen(self):
+        """At the start, and with half of a chapter done."""
+        chapters, exercises = board.read_chapters(), board.all_exercises()
+        for chapter in (0, 7):
+            verdicts = [check.Verdict(exercise, "not started") for exercise in exercises]
+            for verdict in verdicts:
+                if verdict.exercise in chapters[chapter].exercises[:4] and chapter:
+                    verdict.state = "done"
+            with mock.patch.object(board, "guesses", lambda asked: {}), \
+                    contextlib.redirect_stdout(io.StringIO()) as said:
+                board.show_board(chapters, verdicts)
+            self.assertLessEqual(len(said.getvalue().splitlines()), 50, said.getvalue())
+
+
 class LinesWritten(unittest.TestCase):
     def test_comments_and_blank_lines_do_not_count(self):
         self.assertEqual(board.lines_of("// one\n\nint f() {\n  /* two\n     lines */\n  return 1;  // three\n}\n"), 3)

@@ -8,7 +8,7 @@ from browser import browser_for_book
 from test_live_engine import built
 from test_live_figures import figures
 
-from binding.live import ENGINE, live_figure
+from binding.live import ENGINE
 from binding.site import build
 
 MOST_RUNNING = 2
@@ -27,37 +27,88 @@ class Live(unittest.TestCase):
     def lesson(self, name: str) -> Path:
         return self.folder / "chapters" / name / "index.html"
 
-    def show(self, page: Path) -> None:
-        """Opens a page, and waits until its first figure runs; later requests go to the figure's frame."""
+    def show(self, page: Path, place: int = 0) -> None:
+        """Opens a page, and waits until a figure of its film runs; later requests go to the figure's frame."""
         driver = self.browser.driver
         driver.get(page.as_uri())
         self.browser.run("document.querySelector('figure[data-live]').scrollIntoView({ block: 'center' })")
         self.browser.wait("return Boolean(document.querySelector('figure.running'))")
+        if place:
+            self.browser.run("document.querySelectorAll('.scenes button')[arguments[0]].click()", place)
+        self.browser.wait("return document.querySelector('figure[data-live]').begun")
         driver.switch_to.frame(driver.find_element("css selector", "figure.running > iframe"))
         self.addCleanup(driver.switch_to.default_content)
-        self.browser.wait("return viewer.draws > 0")
+        self.browser.wait("return Boolean(window.viewer) && viewer.draws > 0")
+
+    def each(self):
+        """Shows each figure of each lesson in turn, and yields it."""
+        for name, found in figures().items():
+            for place, figure in enumerate(found):
+                with self.subTest(name, scene=figure.scene):
+                    self.show(self.lesson(name), place)
+                    yield figure
+                self.browser.driver.switch_to.default_content()
 
     def ask(self, expression: str):
         return self.browser.run(f"return {expression}")
 
-    def test_each_lesson_s_figure_starts_and_goes_on(self):
-        for name, line in figures().items():
-            with self.subTest(name):
-                self.show(self.lesson(name))
-                first = self.ask("viewer.time")
-                self.browser.wait(f"return viewer.time > {first}")
-                figure = live_figure(line)
-                self.assertEqual(self.ask("viewer.runs[0].header.scene"), figure.scene)
-                header = self.ask("viewer.runs[0].header")
-                for setting, text in figure.settings.items():
+    def test_each_figure_starts_and_goes_on(self):
+        for figure in self.each():
+            first = self.ask("viewer.time")
+            self.browser.wait(f"return viewer.time > {first}")
+            self.assertEqual(self.ask("viewer.runs[0].header.scene"), figure.scene)
+            headers = self.ask("viewer.runs.map((run) => run.header)")
+            wanted = [figure.settings, *([figure.settings | dict([figure.beside])] if figure.beside else [])]
+            self.assertEqual(len(headers), len(wanted))
+            for header, settings in zip(headers, wanted):
+                for setting, text in settings.items():
                     value = (header["parameters"] | header["method"])[setting]
                     self.assertEqual(value, text if isinstance(value, str) else float(text), setting)
-                self.assertEqual(self.ask("[...document.querySelectorAll('#sliders [name]')].map((node) => node.name)"),
-                                 list(figure.controls))
-                self.assertEqual(self.ask("viewer.graphs.length"), 1)
-                self.assertEqual(self.ask("viewer.notice"), "")
-                self.browser.driver.switch_to.default_content()
-                self.assertIn(figure.says(), self.ask("document.querySelector('.says').textContent"))
+            self.assertEqual(self.ask("[...document.querySelectorAll('#sliders [name]')].map((node) => node.name)"),
+                             list(figure.controls))
+            for mark in figure.shows:
+                self.assertTrue(self.ask("viewer.picture.shown[arguments[0]]".replace("arguments[0]", f"'{mark}'")))
+            self.assertEqual(self.ask("viewer.graphs.length"), 1)
+            self.assertEqual(self.ask("viewer.notice"), "")
+            self.browser.driver.switch_to.default_content()
+            self.assertIn(figure.says(), self.ask("document.querySelector('.says').textContent"))
+            caption = self.ask("getComputedStyle(document.querySelector('figure[data-live] > figcaption')).display")
+            self.assertEqual(caption == "none", self.ask("document.querySelector('figure[data-live]').classList"
+                                                         ".contains('other')"))
+
+    def test_each_figure_answers_its_first_control(self):
+        for figure in self.each():
+            name = figure.controls[0]
+            value = ("(viewer.runs.map(({ header }) => [header.parameters, header.method]"
+                     f".map((all) => all['{name}']).find((one) => one !== undefined)))")
+            before = self.ask(value)
+            self.browser.run(f"const control = document.querySelector('#sliders [name={name}]');"
+                             "if (control.tagName === 'SELECT') control.selectedIndex = (control.selectedIndex + 1) % control.length;"
+                             "else control.value = Number(control.value) > 0.5 ? 0.45 : 0.55;"
+                             "control.dispatchEvent(new Event(control.tagName === 'SELECT' ? 'change' : 'input'))")
+            self.browser.wait(f"return {value}.every((now, k) => now !== {json.dumps(before)}[k])")
+            shown = self.ask("viewer.draws")
+            self.browser.wait(f"return viewer.draws > {shown}")
+            self.assertEqual(self.ask("viewer.notice"), "")
+
+    def test_two_runs_stand_beside_each_other(self):
+        name, place = next((name, place) for name, found in figures().items() for place, figure in enumerate(found)
+                           if figure.beside)
+        self.show(self.lesson(name), place)
+        self.assertEqual(self.ask("[...document.querySelectorAll('#names .run')].map((node) => node.textContent)"),
+                         ["solver gauss seidel", "solver direct"])
+        self.browser.wait("return viewer.time > 0.15")
+        self.assertEqual(self.ask("document.getElementById('parting').textContent"), "")
+        swept, solved = self.ask("viewer.runs.map(({ frames }) => frames.at(-1).error)")
+        self.assertGreater(swept, 100 * solved)
+        self.browser.wait("return viewer.runs.every(({ frames }, k) => frames.at(-1).time > 0)")
+
+    def test_a_run_that_ends_begins_again(self):
+        name, place, lasts = next((name, place, figure.lasts) for name, found in figures().items()
+                                  for place, figure in enumerate(found) if figure.scene == "sliding_block")
+        self.show(self.lesson(name), place)
+        self.browser.wait(f"return viewer.time > {0.6 * lasts}")
+        self.browser.wait(f"return viewer.time < {0.4 * lasts}")
 
     def test_a_slider_changes_the_run(self):
         self.show(self.lesson("03_single_contact"))

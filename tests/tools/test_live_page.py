@@ -12,7 +12,7 @@ from fake_engine import fake_engine
 from test_live_figures import figures
 
 from binding.front import hero
-from binding.live import ENGINE, live_figure
+from binding.live import ENGINE
 from binding.site import build
 
 LESSON = "01_leapfrog"
@@ -23,7 +23,7 @@ class LivePage(unittest.TestCase):
     def setUpClass(cls):
         folder = browser_for_book(cls)
         cls.folder = folder / "site"
-        build(cls.folder, engine=fake_engine(folder, [hero(), live_figure(figures()[LESSON])]))
+        build(cls.folder, engine=fake_engine(folder, [hero(), *figures()[LESSON]]))
 
     def tearDown(self):
         self.assertEqual(self.browser.messages(), [])

@@ -10,6 +10,8 @@ import unittest
 from pathlib import Path
 
 from sandbox import ROOT, our_files
+
+from needs import BROWSER_NEEDS, LIVE_NEEDS, VIEW_NEEDS
 from version import stated_in, version
 
 _IDENTITY = ("-c", "user.name=S", "-c", "user.email=s@localhost", "-c", "commit.gpgsign=false")
@@ -70,6 +72,14 @@ class Papers(unittest.TestCase):
             self.assertTrue((ROOT / (command[0] or command[1])).exists(), command)
         self.assertIn("tools/release.py --out dist", workflow)
         self.assertIn("notes-file dist/notes.md", workflow)
+
+    def test_the_job_of_live_figures_skips_no_test(self):
+        job = self.text(".github/workflows/releases.yml").partition("\n  live:\n")[2].partition("\n  libcxx:\n")[0]
+        for need in (*LIVE_NEEDS, *VIEW_NEEDS, *BROWSER_NEEDS):
+            self.assertRegex(job, rf"[ \n]{re.escape(need.package)}[ \n]")
+        called = re.search(r"for test in ([\w ]+);", job)[1].split()
+        self.assertEqual(set(called), {file.stem.removeprefix("test_") for file in ROOT.glob("tests/tools/test_live_*.py")})
+        self.assertIn("grep -qx OK log", job)  # unittest says "OK (skipped=1)" otherwise
 
 
 class Release(unittest.TestCase):

@@ -4,11 +4,14 @@ import csv
 import json
 import math
 import os
+import pty
 import re
+import select
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -363,6 +366,27 @@ class Runs(unittest.TestCase):
             lines = spook("run", name, "--time", "0.02").stdout.splitlines()
             told = [line for line in lines if line[:10].strip() not in ("note", "trouble")]
             self.assertLessEqual(len(told), 12, name)
+
+    def test_scenes_are_listed_on_two_screens(self):
+        lines = spook("scenes").stdout.splitlines()
+        self.assertLessEqual(len(lines), 80)
+        self.assertTrue(lines[0].startswith("free_fall "), "names come first")
+
+    def test_a_long_run_tells_its_progress_on_a_terminal(self):
+        terminal, theirs = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        run = subprocess.Popen([SPOOK, "run", "pile", "--time", "1000"], stdout=subprocess.DEVNULL, stderr=theirs)
+        os.close(theirs)
+        told, begun = "", time.monotonic()
+        try:
+            while "%" not in told and time.monotonic() < begun + 60:
+                if select.select([terminal], [], [], 1)[0]:
+                    told += os.read(terminal, 100).decode()
+        finally:
+            run.kill()
+            run.wait()
+        self.assertRegex(told, r"^\d+ % +\r")
+        self.assertGreater(time.monotonic() - begun, 0.9, "a short run tells nothing")
 
     def test_every_scene_that_is_written_is_listed(self):
         written = {name for file in SCENES.glob("*.cpp")

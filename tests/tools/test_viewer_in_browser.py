@@ -105,13 +105,56 @@ class Picture(Viewer):
         self.open(recordings.tower())
         self.browser.run("viewer.scrubTo(30)")
         before = self.browser.pixels()
-        for name in ("contacts", "impulses", "friction", "pairs"):
+        for name in ("contacts", "impulses", "friction", "pairs", "colours"):
             with self.subTest(name):
                 self.click(f"show-{name}")
                 with_it = self.browser.pixels()
                 self.assertGreater((abs(with_it - before).max(axis=2) > 0.1).sum(), 50)
                 self.click(f"show-{name}")
                 self.assertLess((abs(self.browser.pixels() - before).max(axis=2) > 0.1).sum(), 5)
+
+    def test_pairs_of_one_colour_share_no_body(self):
+        self.open(recordings.tower(6))
+        self.browser.run("viewer.scrubTo(30)")
+        between, colours = self.ask("[Array.from(viewer.runs[0].frames[30].between),"
+                                    "coloursOf(viewer.runs[0].header, viewer.runs[0].frames[30])]")
+        pairs = {tuple(between[k:k + 2]): colours[k // 2] for k in range(0, len(between), 2)}
+        self.assertEqual([pairs[pair] for pair in sorted(pairs)], [0, 1, 0, 1, 0, 1])  # the floor, body 0, has no colour
+        self.assertEqual(len(colours), len(between) // 2)
+
+    def test_on_a_pile_small_impulses_have_no_arrows(self):
+        arrows = "viewer.picture.parts[0].marks.{}.shafts.count"
+        for boxes, drawn, where in ((5, 20, "arrows"), (20, 68, "crowded")):  # 20 and 80 contacts, (k+1)/boxes of the largest
+            with self.subTest(boxes):
+                self.open(recordings.tower(boxes))
+                self.browser.run("viewer.scrubTo(30)")
+                self.click("show-impulses")
+                self.browser.drawn()
+                self.assertEqual(self.ask(arrows.format(where)), drawn)
+                self.assertEqual(self.ask(arrows.format("crowded" if where == "arrows" else "arrows")), 0)
+                self.assertEqual("from a fifth" in self.ask("document.getElementById('arrow-key').textContent"),
+                                 where == "crowded")
+                self.click("show-impulses")
+
+    def test_titles_fit(self):
+        """The longest text that a scene has, on a wide and on a narrow page."""
+        long = "Two words and ω = m g s/(I ω), " * 14
+        self.addCleanup(self.browser.emulate, "Emulation.clearDeviceMetricsOverride")
+        for width, height in ((1280, 800), (390, 844)):
+            self.browser.emulate("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                                 mobile=False)
+            bodies = [{"shape": "ball", "radius": 0.2}]
+            self.open(recordings.text(recordings.header("flat_box_100_contacts", bodies, answer=long, summary=long),
+                                      recordings.frame(0, [0, 0, 0], q=recordings.floats(1, 0, 0, 0)),
+                                      recordings.frame(1, [0, 0, 1], q=recordings.floats(1, 0, 0, 0)), {"end": "done"}))
+            for name in ("scene", "summary", "method", "answer"):
+                with self.subTest(name, width=width):
+                    left, right, inside, whole, height_, all_ = self.ask(
+                        "((node) => [node.getBoundingClientRect().left, node.getBoundingClientRect().right, node.clientWidth,"
+                        f"node.scrollWidth, node.clientHeight, node.scrollHeight])(document.getElementById('{name}'))")
+                    self.assertTrue(0 <= left and right <= width, (left, right))
+                    self.assertLessEqual(whole, inside)
+                    self.assertLessEqual(all_, height_ + 1)
 
     def test_rods_take_the_colour_of_their_tension(self):
         self.open(recordings.hanging_wire(amplitude=0.3))

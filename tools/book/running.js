@@ -1,19 +1,49 @@
 "use strict";
 // Live figures: the engine replaces a film when it comes into view, and pauses out of sight. At most two figures run; a
-// third replaces the one that started first. Without this script, and on paper, the film stays.
+// third replaces the one that started first. If a film has several figures, buttons choose one. Without this script, and
+// on paper, the film stays.
 (() => {
   const MOST = 2, SEEN = 0.3;  // running figures; part of a figure that counts as seen
   const seen = [];  // running figures, in the order in which they started
   const films = [...document.querySelectorAll("figure[data-live]")];
   if (!films.length) return;
 
-  /** Loads the live figure, which stays hidden until its first picture. */
+  for (const film of films) {
+    film.runs = JSON.parse(film.dataset.live);
+    film.chosen = film.runs[0];
+  }
+
+  const nameOf = ({ scene }) => scene.replaceAll("_", " ");
+
+  /** Loads the chosen figure. The first one stays hidden until its first picture. */
   function load(figure) {
     const frame = document.createElement("iframe");
-    frame.title = `${figure.querySelector("img").alt}, running`;
-    frame.src = `${window.bookRoot}assets/live.html#${encodeURIComponent(figure.dataset.live)}`;
-    figure.prepend(frame);
+    frame.title = `${nameOf(figure.chosen)}, running`;
+    frame.src = `${window.bookRoot}assets/live.html#${encodeURIComponent(JSON.stringify(figure.chosen))}`;
+    if (figure.frame) figure.frame.replaceWith(frame);
+    else figure.prepend(frame);
     figure.frame = frame;
+    figure.begun = false;
+  }
+
+  /** Shows a button for each figure of a film. */
+  function offer(figure) {
+    if (figure.runs.length < 2 || figure.querySelector(".scenes")) return;
+    const line = document.createElement("p");
+    line.className = "scenes";
+    for (const run of figure.runs) {
+      const button = document.createElement("button");
+      button.textContent = nameOf(run);
+      button.setAttribute("aria-pressed", run === figure.chosen);
+      button.onclick = () => {
+        if (run === figure.chosen) return;
+        figure.chosen = run;
+        for (const other of line.children) other.setAttribute("aria-pressed", other === button);
+        load(figure);
+      };
+      line.append(button);
+    }
+    figure.prepend(line);
   }
 
   function say(figure, text) {
@@ -37,12 +67,17 @@
     if (data.begun) {
       figure.begun = true;
       figure.classList.add("running");
-      say(figure, figure.dataset.says);
+      // The caption describes the first, which is that of the film.
+      const other = figure.chosen !== figure.runs[0];
+      figure.classList.toggle("other", other);
+      say(figure, other ? `${data.summary} ${figure.chosen.says}` : figure.chosen.says);
+      offer(figure);
       tell();
     } else if (data.lost) {
       figure.lost = true;
       figure.begun = false;
-      figure.classList.remove("running");
+      figure.classList.remove("running", "other");
+      if (figure.querySelector(".scenes")) figure.querySelector(".scenes").remove();
       figure.frame.remove();
       figure.frame = null;
       say(figure, `${data.lost} The film is shown instead.`);

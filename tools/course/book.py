@@ -8,7 +8,7 @@ from binding.site import build
 from binding.views import film_pages
 from engine import program_of_pages
 from errors import BadInput, CourseError
-from install import install
+from install import install, offer
 from manifest import Exercise
 from mine import begun, program_of_own_pages, told
 from needs import BOOK_NEEDS, LIVE_NEEDS, VIEW_NEEDS
@@ -16,6 +16,7 @@ from paths import BUILD, ROOT, shown
 from terminal import fold
 
 _BRANCH = "gh-pages"
+_COST = "a download of 110 MB, and some minutes to compile the engine once"
 
 
 def book(arguments) -> int:
@@ -38,10 +39,11 @@ def book(arguments) -> int:
 
 
 def _engine(mine: list[Exercise]) -> Path | None:
-    """The engine of live figures, with the student's functions; None where there is nothing to make it or to draw it with, which is told."""
-    missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
-    if missing:
-        print(f"Figures are films, since {' and '.join(missing)} is missing (emscripten is a download of 110 MB).")
+    """The engine of live figures, with the student's functions; None where there is nothing to make it or to draw it with,
+    which is told."""
+    if not offer((*LIVE_NEEDS, *VIEW_NEEDS), f"so that figures run in their pages: {_COST}"):
+        missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
+        print(f"Figures are films, since {' and '.join(missing)} is missing (emscripten is {_COST}).")
         return None
     return program_of_own_pages(mine) if mine else program_of_pages()
 

@@ -35,6 +35,21 @@ def install(needs: tuple[Need, ...], yes: bool) -> None:
         raise CourseError("; ".join(too_old))
 
 
+def offer(needs: tuple[Need, ...], cost: str) -> bool:
+    """Offers to install what a command can do without, and says what it costs. Asks root, too; without a terminal it
+    installs nothing. Returns True if everything is present."""
+    lacking = [need.package for need in needs if not need.there()]
+    if not lacking:
+        return True
+    if machine.conda() or not all(map(is_offered, lacking)):
+        return False
+    by = "brew, pip and npm" if machine.is_mac() else "apt-get" if _is_root() else "sudo apt-get"
+    if not _agreed([*lacking, f"({cost})"], by):
+        return False
+    install(needs, yes=True)
+    return True
+
+
 def _install(lacking: list[str], yes: bool) -> None:
     instead = CourseError(f"missing: {' '.join(lacking)}; install with:  {install_line(lacking)}{_without_root()}")
     if machine.conda():

@@ -7,6 +7,7 @@ const SWITCHES = [
   ["friction", "friction limits", "the cone or the box that an impulse has to stay in"],
   ["velocities", "velocities", "velocity of each body"],
   ["pairs", "pairs", "lines between bodies in contact"],
+  ["colours", "colours", "lines between bodies in contact, in the colours of chapter 14: one colour shares no body"],
   ["paths", "paths", "the way that bodies have come"],
   ["ghosts", "answer", "where the answer says the bodies should be"],
 ];
@@ -134,7 +135,7 @@ function whatIsThere(runs) {
   const contacts = any((frame) => frame.contacts.length > 0);
   const shaped = runs.some((run) => run.header.bodies.some((body) => body.shape !== "point"));
   const there = contacts && (shaped || runs.some((run) => !run.live));
-  return { contacts: there, impulses: there, pairs: there, velocities: any((frame) => frame.v),
+  return { contacts: there, impulses: there, pairs: there, colours: there, velocities: any((frame) => frame.v),
            friction: there && runs.some((run) => run.header.parameters.mu > 0 || run.header.parameters.friction > 0),
            paths: runs.every(hasPaths),
            ghosts: any((frame) => frame.ghostBodies.length > 0) || runs.some((run) => run.header.curves.length > 0) };

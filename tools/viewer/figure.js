@@ -3,13 +3,15 @@
 //   scene, set        the scene and its initial parameters
 //   controls          names of the parameters that the reader may change
 //   graph             error, energy, residual, or a column of the scene's own numbers. Default: no graph
+//   beside            parameters of a second run, which is shown beside the first and has the same controls
 //   rate, shows       simulated seconds per second; marks that are shown, such as `contacts`
+//   lasts             seconds after which the run begins again. Default: it goes on
 // The lesson's page pauses the figure while it is out of sight.
 
 class Figure {
   constructor(viewer) {
     this.viewer = viewer;
-    Object.assign(this, { set: {}, controls: [], shows: [], rate: 1, seen: true },
+    Object.assign(this, { set: {}, controls: [], shows: [], rate: 1, seen: true, beside: null, lasts: 0 },
                   JSON.parse(decodeURIComponent(location.hash.slice(1))));
     document.body.classList.add("figure");
     document.body.classList.toggle("bare", !this.graph);
@@ -17,6 +19,15 @@ class Figure {
     window.addEventListener("message", ({ source, data }) => {
       if (source === window.parent && typeof data.seen === "boolean") this.see(data.seen);
     });
+  }
+
+  /** Returns the sides of the figure: one run, or two with their labels. */
+  sides() {
+    const { scene, set, rate, beside } = this, opened = { scene, set, rate };
+    if (!beside) return [new Side(new WorkerTransport(opened))];
+    const label = (values) => Object.keys(beside).map((name) => `${name} ${values[name]}`.replaceAll("_", " ")).join(", ");
+    return [new Side(new WorkerTransport(opened), label(set)),
+            new Side(new WorkerTransport({ scene, set: { ...set, ...beside }, rate }), label(beside), Object.keys(beside))];
   }
 
   /** Pauses a run out of sight and continues it in sight, unless the reader has paused it. */
@@ -39,7 +50,7 @@ class Figure {
 
   begun(header) {
     this.viewer.column = Math.max(0, header.columns.indexOf(this.graph));
-    window.parent.postMessage({ begun: true }, "*");
+    window.parent.postMessage({ begun: true, summary: header.summary }, "*");
   }
 
   lost(why) {

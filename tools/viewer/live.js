@@ -1,15 +1,28 @@
 "use strict";
-// A live run: receives frames and sends commands through one of transports.js.
+// A live run, or two side by side: receives frames and sends commands through one of transports.js for each.
 
 const KEPT = 1200;      // past frames that remain available
 const GROWN = 1.1;      // growth of the bodies' box after which the view is fitted again, unless the run was touched
 const FARTHEST = 4;     // largest size that is still fitted, over the first size
 const GRAPHS_EVERY = 150;  // [ms]
 
+/** A run and its engine. No command sets the parameters named in `keeps`. */
+class Side {
+  constructor(transport, label = "", keeps = []) {
+    Object.assign(this, { transport, label, keeps, run: null, pending: null });
+  }
+
+  send(command) {
+    if (!command.set) return this.transport.send(command);
+    const set = Object.fromEntries(Object.entries(command.set).filter(([name]) => !this.keeps.includes(name)));
+    return this.transport.send({ ...command, set });
+  }
+}
+
 class Live {
-  constructor(viewer, transport, figure = null) {
+  constructor(viewer, sides, figure = null) {
     this.viewer = viewer;
-    this.transport = transport;
+    this.sides = sides;
     this.figure = figure;
     this.running = true;
     this.sent = Promise.resolve();
@@ -17,7 +30,12 @@ class Live {
     document.getElementById("drop").onclick = () => this.drop();
     document.getElementById("reset").onclick = () => this.reset();
     document.getElementById("next").title = "next step (right)";
-    transport.open((line) => this.take(line), (why) => this.lose(why));
+    for (const side of sides) side.transport.open((line) => this.take(line, side), (why) => this.lose(why));
+  }
+
+  /** The first run, whose controls and clock are those of the page. */
+  get run() {
+    return this.sides[0].run;
   }
 
   lose(why) {
@@ -25,14 +43,14 @@ class Live {
     if (this.figure && why) this.figure.lost(why);
   }
 
-  take(line) {
+  take(line, side) {
     try {
       if ("said" in line) this.show(line.said);
       else if ("clock" in line) this.takeClock(line.clock);
       else if ("refused" in line) this.flash(`Refused: ${line.refused}`);
       else if ("end" in line) this.viewer.say(endOf(line));
-      else if ("format" in line) this.header(line);
-      else this.frame(frameOf(line, this.pending || this.run.header));
+      else if ("format" in line) side.pending = checkedHeader(line);  // until its first frame
+      else this.frame(frameOf(line, side.pending || side.run.header), side);
     } catch (error) {
       this.flash(`A line of the run cannot be read: ${error.message}.`);
     }
@@ -59,34 +77,43 @@ class Live {
     this.flashing = setTimeout(() => this.viewer.say(""), 5000);
   }
 
-  /** Keeps a header until its first frame arrives. */
-  header(line) {
-    this.pending = checkedHeader(line);
-  }
-
-  frame(frame) {
-    if (this.pending) this.begin(frame);
-    const { frames } = this.run;
+  frame(frame, side) {
+    if (side.pending) this.begin(frame, side);
+    const { frames } = side.run;
     if (frames.length && frame.time < lastOf(frames).time) frames.length = 0;
     frames.push(frame);
     if (frames.length > KEPT) frames.splice(0, frames.length - KEPT);
+    if (side !== this.sides[0] || !this.sides.every(({ run }) => run)) return;
     this.viewer.player.goTo(frames.length - 1);
     document.body.classList.toggle("touched", Boolean(frame.touched));
     this.refresh();
   }
 
-  begin(frame) {
-    const header = this.pending, first = !this.run;
-    this.pending = null;
+  begin(frame, side) {
+    const header = side.pending, first = !side.run;
+    side.pending = null;
     // After a drop the graphs keep their past; after a restart they begin again.
-    const more = first ? 0 : header.bodies.length - this.run.header.bodies.length;
-    const before = first || more < 0 || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
+    const more = first ? 0 : header.bodies.length - side.run.header.bodies.length;
+    const before = first || more < 0 || frame.time < lastOf(side.run.frames).time ? [] : side.run.frames;
     const same = !first && more === 0;
-    this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
-    if (first && this.figure) this.figure.begun(header);
-    this.viewer.show([this.run], same || before.length > 0 || frame.touched);
-    this.run.frames.pop();  // frame() adds it
-    if (!before.length) this.firstSize = this.viewer.picture.box.size;
+    side.run = { header, frames: [...before, frame], notice: "", label: side.label, live: true };
+    if (this.sides.every(({ run }) => run)) this.showRuns(same || before.length > 0 || frame.touched, first);
+    if (!before.length) this.firstSize = this.viewer.picture.box && this.viewer.picture.box.size;
+    side.run.frames.pop();  // frame() adds it
+    if (side === this.sides[0]) this.begun(header, first);
+  }
+
+  /** Shows all runs; `keep` leaves the camera where it is. */
+  showRuns(keep, first) {
+    const { viewer } = this;
+    if (first && this.figure) this.figure.begun(this.run.header);
+    viewer.show(this.sides.map(({ run }) => run), keep);
+    viewer.player.lead = this.run;
+    viewer.player.goTo(this.run.frames.length - 1);
+  }
+
+  /** Takes the controls of the first run. */
+  begun(header, first) {
     if (first) this.first = header.controls || [];
     this.makeSliders(header.controls || []);
     document.getElementById("reset").hidden = Object.keys(this.changed()).length === 0;
@@ -99,14 +126,23 @@ class Live {
     this.refreshed = now;
     for (const graph of viewer.graphs) graph.prepare();
     const last = lastOf(this.run.frames);
+    if (this.figure && this.figure.lasts && last.time >= this.figure.lasts && !last.touched) this.again();
     if (!viewer.picture.camera.untouched() || last.touched) return;
-    const box = boundsOf([this.run]), left = box.size >= FARTHEST * this.firstSize;
+    const runs = this.sides.map(({ run }) => run), box = boundsOf(runs), left = box.size >= FARTHEST * this.firstSize;
     if (box.size > GROWN * viewer.picture.box.size && !left) {
-      viewer.picture.show([this.run]);
+      viewer.picture.show(runs);
       viewer.legend.show(viewer.picture);
     }
     // A figure has no button to fit the view, so it restarts when its bodies leave. A lost run stays and is reported.
-    if (left && this.figure && last.state !== "lost") this.send({ restart: true });
+    if (left && this.figure && last.state !== "lost") this.again();
+  }
+
+  /** Begins the run again, once for as long as its frames are those of the past. */
+  again() {
+    const { frames } = this.run;
+    if (this.left === frames) return;
+    this.left = frames;
+    this.send({ restart: true });
   }
 
   makeSliders(controls) {
@@ -137,7 +173,7 @@ class Live {
 
   /** Sends commands one at a time, in order. */
   send(command) {
-    this.sent = this.sent.then(() => this.transport.send(command));
+    this.sent = this.sent.then(() => Promise.all(this.sides.map((side) => side.send(command))));
     return this.sent;
   }
 

@@ -19,7 +19,7 @@ class Viewer {
       const live = document.getElementById("live");
       if (!live) await this.openRecordings();
       else if (JSON.parse(live.textContent).figure) this.openFigure();
-      else this.live = new Live(this, new ServerTransport());
+      else this.live = new Live(this, [new Side(new ServerTransport())]);
     } catch (error) {
       this.say(error.message);
     }
@@ -51,7 +51,7 @@ class Viewer {
 
   openFigure() {
     this.figure = new Figure(this);
-    this.live = new Live(this, new WorkerTransport(this.figure), this.figure);
+    this.live = new Live(this, this.figure.sides(), this.figure);
   }
 
   async openRecordings() {
@@ -136,7 +136,7 @@ class Viewer {
     for (const graph of this.graphs) graph.drawCursor(at);
     this.legend.update(this.picture);
     const states = this.runs.map((run) => stateLine(run, this.player.frameOf(run)));
-    const partings = this.runs.slice(1).map((run, k) =>
+    const partings = (this.live ? [] : this.runs.slice(1)).map((run, k) =>
       partingLine(this.runs[0], run, this.picture.box.size, this.since[k], this.farthest[k], frames[0]));
     document.getElementById("parting").textContent = [...states.filter(Boolean), ...partings].join("\n");
   }

@@ -1,10 +1,13 @@
 "use strict";
-// Draws the marks that are switched on: contacts, impulses, friction, velocities, pairs.
+// Draws the marks that are switched on: contacts, impulses, friction, velocities, pairs, colours.
 
 const LONGEST = 0.2;  // arrow, over the scene's size
+const CROWDED = 60;   // contacts, above which arrows of small impulses are left out
+const LEAST = 0.2;    // impulse that is still drawn there, over the frame's largest
 
 class Arrows {
-  constructor(parent, material) {
+  constructor(parent, material, thickness = 1) {
+    this.thickness = thickness;
     const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 8, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     const head = new THREE.CylinderBufferGeometry(0, 1, 1, 12).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     this.shafts = new Crowd(parent, shaft, material, 7);
@@ -19,6 +22,7 @@ class Arrows {
   add(from, vector, scale, unit, colour) {
     const length = Math.hypot(...vector) * scale;
     if (!(length > 2 * unit)) return;
+    unit *= this.thickness;
     const head = Math.min(11 * unit, 0.45 * length) / length;
     const tip = from.map((value, axis) => value + vector[axis] * scale);
     const neck = from.map((value, axis) => value + vector[axis] * scale * (1 - head));
@@ -37,6 +41,7 @@ class Marks {
     Object.assign(this, { run, size });
     const over = (opacity) => Object.assign(bodyMaterial([], opacity), { transparent: true, depthTest: false });
     this.arrows = new Arrows(parent, over(1));
+    this.crowded = new Arrows(parent, over(0.6), 0.6);
     this.points = new Crowd(parent, new THREE.SphereBufferGeometry(1, 10, 8), over(1), 8);
     const pipe = new THREE.CylinderBufferGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     this.pipes = new Crowd(parent, pipe, over(1), 6);
@@ -52,10 +57,12 @@ class Marks {
 
   /** Draws the marks switched on in `shown`; `unit` is the size of a pixel [m]. */
   draw(frame, shown, unit) {
-    const all = [this.arrows, this.points, this.pipes, this.limits];
+    const all = [this.arrows, this.crowded, this.points, this.pipes, this.limits];
     for (const crowd of all) crowd.begin();
-    if (shown.contacts || shown.impulses || shown.friction || shown.pairs) {
+    if (shown.contacts || shown.impulses || shown.friction || shown.pairs || shown.colours) {
       const scale = this.scaleOf(frame, shown);
+      this.least = leastDrawn(frame);
+      this.pairColours = shown.colours ? coloursOf(this.run.header, frame) : null;
       for (let k = 0; 2 * k < frame.between.length; ++k) this.drawContact(frame, k, shown, unit, scale);
     }
     if (shown.velocities) this.drawVelocities(frame, unit, shown);
@@ -72,9 +79,11 @@ class Marks {
       this.pipes.addBetween(...point, ...point.map((value, axis) => value + 18 * unit * normal[axis]), 0.8 * unit,
                             colours.contact);
     }
-    if (shown.pairs) this.drawPair(frame, k, point, unit, colours.pair);
+    if (shown.colours) this.drawPair(frame, k, point, 1.5 * unit, hue(this.pairColours[k]));
+    else if (shown.pairs) this.drawPair(frame, k, point, unit, colours.pair);
     if (shown.friction && this.mu > 0) this.drawLimit(point, normal, impulse, scale, colours.impulse);
-    if (shown.impulses) this.arrows.add(point, impulse, scale, unit, colours.impulse);
+    const arrows = this.least > 0 ? this.crowded : this.arrows;
+    if (shown.impulses && Math.hypot(...impulse) >= this.least) arrows.add(point, impulse, scale, unit, colours.impulse);
   }
 
   drawPair(frame, k, point, unit, colour) {
@@ -120,6 +129,28 @@ class Marks {
 function* impulsesOf(frame) {
   for (let k = 0; k < frame.contacts.length; k += 10)
     yield Math.hypot(frame.contacts[k + 7], frame.contacts[k + 8], frame.contacts[k + 9]);
+}
+
+/** Returns the colour of each contact's pair of bodies, 0, 1, 2 ...: Eq. (14.7). Static bodies have none. */
+function coloursOf({ bodies }, { between }) {
+  const used = bodies.map(() => new Set()), known = new Map(), colours = [];
+  for (let k = 0; k < between.length; k += 2) {
+    const [i, j] = [between[k], between[k + 1]], pair = `${i} ${j}`;
+    if (!known.has(pair)) {
+      const taken = [i, j].filter((body) => !bodies[body].fixed).map((body) => used[body]);
+      let colour = 0;
+      while (taken.some((set) => set.has(colour))) ++colour;
+      for (const set of taken) set.add(colour);
+      known.set(pair, colour);
+    }
+    colours.push(known.get(pair));
+  }
+  return colours;
+}
+
+/** Returns the least impulse that has an arrow: among many contacts a part of the largest, otherwise 0. */
+function leastDrawn(frame) {
+  return frame.contacts.length > 10 * CROWDED ? LEAST * largestOf(impulsesOf(frame)) : 0;
 }
 
 function* velocitiesOf(frame) {

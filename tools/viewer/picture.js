@@ -12,7 +12,7 @@ class Picture {
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     this.renderer.setScissorTest(true);
     this.camera = new Camera(canvas);
-    this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, ghosts: true,
+    this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, colours: false, ghosts: true,
                    paths: false, shadows: true, automatic: true, scale: 1, overlaid: false, tint: "plain" };
     this.hand = null;  // { body, local, to } of a pull: the point of the body, and its target
     this.runs = [];

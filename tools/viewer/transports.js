@@ -21,13 +21,14 @@ class ServerTransport {
 /** Runs the engine in a worker of this page. A page from the file system may load a script but no worker's file, so the
  *  worker is made from the text of a script. */
 class WorkerTransport {
-  constructor(figure) {
-    this.figure = figure;
+  /** `opened` has the scene, the parameters to set, and the rate. */
+  constructor(opened) {
+    this.opened = opened;
     this.waiting = [];  // for replies to the commands sent
   }
 
   open(take, lost) {
-    this.opened = this.begin(take, lost);
+    this.begun = this.begin(take, lost);
   }
 
   async begin(take, lost) {
@@ -39,7 +40,7 @@ class WorkerTransport {
       this.worker = new Worker(address);
       this.worker.onerror = (event) => { event.preventDefault(); lost(`The engine has stopped: ${event.message}.`); };
       this.worker.onmessage = ({ data }) => this.answer(data, take, lost);
-      const { scene, set, rate } = this.figure;
+      const { scene, set, rate } = this.opened;
       this.worker.postMessage({ wasm, open: { scene, set }, rate });
     } catch (error) {
       lost(`The engine cannot run here: ${error.message}.`);
@@ -60,7 +61,7 @@ class WorkerTransport {
   }
 
   async send(command) {
-    await this.opened;
+    await this.begun;
     if (!this.worker) return undefined;
     this.worker.postMessage({ line: JSON.stringify(command) });
     return new Promise((taken) => this.waiting.push(taken));

@@ -6,7 +6,7 @@ import io
 import re
 from pathlib import Path
 
-from binding.live import LiveFigure
+from binding.live import LiveFigure, attributes
 from binding.outline import FRONT, MANUAL, Page, between
 from binding.sizes import size_of
 from binding.typography import typeset
@@ -63,7 +63,7 @@ def _film(alt: str, views: bool, live: bool) -> str:
     image = f'<img src="{_FILM}" alt="{html.escape(alt)}" width="{width}" height="{height}" decoding="async">'
     if views:
         image = f'<a href="{page_of_film(MANUAL.source)}">{image}</a>'
-    runs = f' data-live="{hero().attribute("README")}" data-says="{_SAYS}"' if live else ""
+    runs = attributes([(hero(), _SAYS)], "README") if live else ""
     return f'<figure class="film"{runs}>{image}</figure>'
 
 

@@ -1,10 +1,17 @@
-"""A lesson's live figure, given by one line of Markdown above its film:
+"""A lesson's live figures, each given by a comment of Markdown above its film:
 
-    <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->
+    <!-- live: SCENE NAME=VALUE ... OPTION ... | CONTROL ... | GRAPH | VALUE at TIME -->
 
-The line gives the scene and its initial settings; one to three controls for the reader; the graph that the text
-describes, `error`, `energy`, `residual` or a column of the scene's own numbers; and its value after so many seconds,
-which tests compare with a run. GitHub shows the film alone."""
+It gives the scene and its initial settings; one to three controls for the reader; the graph that the text describes,
+`error`, `energy`, `residual` or a column of the scene's own numbers; and its value after so many seconds, which tests
+compare with a run. The options, in this order, are
+
+    beside NAME=VALUE    a second run beside the first, with this setting
+    showing MARK ...     marks, such as `impulses`; for the film's own scene those of the film, if there are none
+    rate NUMBER          simulated seconds per second; for the film's own scene that of the film, otherwise 1
+    for SECONDS          the run begins again after this time
+
+If a film has several, buttons choose one. GitHub shows the film alone."""
 
 import html
 import json
@@ -17,7 +24,8 @@ from films import films
 PAGE, ENGINE = Path("assets/live.html"), Path("assets/engine.js")
 _MARK = "<!-- live:"
 _NUMBER = r"(-?[0-9.]+(?:e[+-]?[0-9]+)?)"
-_LINE = re.compile(rf"{_MARK} (\w+)((?: \w+=\S+)*) \|((?: \w+){{1,3}}) \| ([^|]+) \| {_NUMBER} at {_NUMBER} -->")
+_OPTIONS = rf"(?: beside (\w+=\S+))?(?: showing((?: (?!rate |for )\w+)+))?(?: rate {_NUMBER})?(?: for {_NUMBER})?"
+_LINE = re.compile(rf"{_MARK} (\w+)((?: \w+=\S+)*){_OPTIONS} \|((?: \w+){{1,3}}) \| ([^|]+) \| {_NUMBER} at {_NUMBER} -->")
 
 
 @dataclass(frozen=True)
@@ -28,38 +36,54 @@ class LiveFigure:
     graph: str = ""  # empty: none
     said: str = ""  # the value, with the digits that are right
     time: float = 0  # [s]
+    beside: tuple[str, str] | None = None  # a setting of the second run
+    shows: tuple[str, ...] = ()
+    rate: float | None = None
+    lasts: float = 0  # [s]; 0: for ever
 
     @property
     def value(self) -> float:
         return float(self.said)
 
     def asked(self, folder: str) -> dict:
-        """Returns the input of tools/viewer/figure.js; rate and marks are those of the chapter's film."""
+        """Returns the input of tools/viewer/figure.js. Rate and marks of the chapter's film hold for its scene."""
         film = films().get(folder, {})
+        own = film if film.get("scene") == self.scene else {}
         return {"scene": self.scene, "set": self.settings, "controls": self.controls, "graph": self.graph,
-                "rate": film.get("rate", 1), "shows": film.get("shows", [])}
-
-    def attribute(self, folder: str) -> str:
-        return html.escape(json.dumps(self.asked(folder)))
+                "beside": dict([self.beside]) if self.beside else None, "lasts": self.lasts,
+                "rate": self.rate or own.get("rate", 1), "shows": self.shows or own.get("shows", [])}
 
     def says(self, mine: bool = False) -> str:
         """The sentence below the figure, which with a student's functions may show something else."""
         unit = self.graph.partition(" [")[2]
         unit = unit.rstrip("]").replace("-", "")
         value = f"{self.said} {unit}".rstrip().replace("-", "−")
+        name = self.beside[0] if self.beside else ""
+        shown = f"the graph of {name} {self.settings[name]} shows".replace("_", " ") if name else "the graph shows"
         if mine:
-            return f"With right functions the graph shows {value} after {self.time:g} s, before you change a setting."
-        return f"Before you change a setting, the graph shows {value} after {self.time:g} s."
+            return f"With right functions {shown} {value} after {self.time:g} s, before you change a setting."
+        return f"Before you change a setting, {shown} {value} after {self.time:g} s."
+
+
+def attributes(figures: list[tuple[LiveFigure, str]], folder: str) -> str:
+    """Returns the attribute of a film in whose place these figures run, each with the sentence below it."""
+    asked = [figure.asked(folder) | {"says": says} for figure, says in figures]
+    return f' data-live="{html.escape(json.dumps(asked))}"'
 
 
 def is_live(text: str) -> bool:
     return text.startswith(_MARK)
 
 
-def live_figure(line: str) -> LiveFigure:
-    """Reads the line of a live figure. Throws ValueError if it is invalid."""
-    found = _LINE.fullmatch(line.strip())
+def live_figure(comment: str) -> LiveFigure:
+    """Reads the comment of a live figure, which may have several lines. Throws ValueError if it is invalid."""
+    found = _LINE.fullmatch(" ".join(comment.split()))
     if not found:
         raise ValueError("a live figure must be <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->")
-    settings = dict(pair.split("=", 1) for pair in found[2].split())
-    return LiveFigure(found[1], settings, tuple(found[3].split()), found[4], found[5], float(found[6]))
+    scene, pairs, beside, shows, rate, lasts, controls, graph, said, time = found.groups()
+    settings = dict(pair.split("=", 1) for pair in pairs.split())
+    name, _, value = (beside or "").partition("=")
+    if name and name not in settings:
+        raise ValueError(f"a live figure beside {beside} must set {name} of the first run, too")
+    return LiveFigure(scene, settings, tuple(controls.split()), graph, said, float(time), (name, value) if name else None,
+                      tuple((shows or "").split()), float(rate) if rate else None, float(lasts or 0))

@@ -9,6 +9,7 @@ from binding.problems import Problem
 
 _TAG = re.compile(r"\\tag\{([^}]*)\}")
 _ID = re.compile(r"""\b(?:id|name)=["']([^"']+)["']""")
+_STUB = re.compile(r"^(### [0-9]+\.[0-9]+ (\w+)\n\n)`\2\.cpp`", re.MULTILINE)  # an exercise begins with its file's name
 REFERENCE = re.compile(r"\(([0-9]{1,2}\.[0-9]{1,2}[a-z]?)\)")
 
 
@@ -45,8 +46,10 @@ def parser():
 
 
 def read(page: Page, added: dict[str, tuple[str, str]] | None = None) -> Draft:
-    """Reads a page. `added` is Markdown to insert below headings, by their text, and before the next heading."""
-    draft = Draft(page, _with(added or {}, parser().parse(page.text())))
+    """Reads a page. `added` is Markdown to insert below headings, by their text, and before the next heading. With it,
+    an exercise links to its file."""
+    text = _STUB.sub(r"\1[`\2.cpp`](\2.cpp)", page.text()) if added else page.text()
+    draft = Draft(page, _with(added or {}, parser().parse(text)))
     draft.sections.append(Section(1, "", page.title))
     heading = None
     for token in draft.tokens:

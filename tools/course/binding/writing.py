@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from binding.code import code_in_text, highlighted
 from binding.formulas import Formula
 from binding.links import Links
-from binding.live import LiveFigure, is_live, live_figure
+from binding.live import LiveFigure, attributes, is_live, live_figure
 from binding.outline import between
 from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser, plain,
                              with_lines)
@@ -52,7 +52,7 @@ class _Writer:
     def __init__(self, draft: Draft, links: Links, equations: Equations):
         self._draft, self._links, self._equations = draft, links, equations
         self._pictures = 0
-        self._live: LiveFigure | None = None
+        self._live: list[LiveFigure] = []
         self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
 
     def page(self, views: bool, live: bool, mine: bool) -> str:
@@ -95,15 +95,14 @@ class _Writer:
             elif token.type == "blockquote_open":
                 _mark_callout(token, tokens[k + 1:k + 3])
         target = self._draft.page.target
-        running = self._live if live else None
+        running = [(figure, figure.says(mine)) for figure in self._live] if live else []
         folder = self._draft.page.source.parent.name
         _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "",
-                     f' data-live="{running.attribute(folder)}" data-says="{html.escape(running.says(mine))}"'
-                     if running else "")
+                     attributes(running, folder) if running else "")
 
     def _take_live(self, token) -> None:
         try:
-            self._live = live_figure(token.content)
+            self._live += [live_figure(f"<!--{text}") for text in token.content.split("<!--")[1:]]
         except ValueError as error:
             self._draft.wrong(line_of(token), str(error))
         _become(token, "")
