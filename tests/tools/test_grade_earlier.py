@@ -12,7 +12,9 @@ from manifest import Exercise
 from reset import stub_of
 
 _CONSTANTS = {"double": ("1", "0"), "int": ("1",), "std::size_t": ("1",)}
-_MOST = 6  # calls of one function that are tried for one exercise: first those with few constants, and in order
+# Calls of one function that are tried for one exercise: first those with few constants, and in order. Six of each, 196
+# calls, gave no marks either.
+_MOST = 2
 # A call of these is the right answer, and they may not be called; see grading/reference.py.
 _HIDDEN = {("drift", "kick")}
 
@@ -67,8 +69,9 @@ def calls(later: Function, earlier: Function) -> list[str]:
         places = [order.index(word) for word in words if word in order]
         return len(words) - len(places), places != sorted(places), words
 
+    most = None if (later.exercise.function, earlier.exercise.function) in _HIDDEN else _MOST
     return [f"spook::{earlier.exercise.function}({', '.join(words)})"
-            for words in sorted(every, key=how_far_fetched)[:_MOST]]
+            for words in sorted(every, key=how_far_fetched)[:most]]
 
 
 def answer(later: Function, earlier: Function, call: str) -> str:
@@ -91,7 +94,7 @@ class GradeEarlier(unittest.TestCase):
                     file = {later.exercise.file.name: answer(later, earlier, call)}
                     room.hand_in(name, file, later.exercise.folder)
                     tried[name] = later.exercise.function, earlier.exercise.function, call
-        self.assertGreater(len(tried), 100)
+        self.assertGreater(len(tried), 80)
         marks = room.grade(chapters="1-14", seconds=10)
         for name, (later, earlier, call) in tried.items():
             with self.subTest(f"{later} is {call}"):
