@@ -202,10 +202,11 @@ EXERCISE_TEST(StepTouching, RestsAtTheDepthOfItsWeight) {
 
 EXERCISE_TEST(StepTouching, RejectsWhatMakesNoSense) {
   Random random;
-  auto [all, contact] = two_touch(random);
+  TwoTouch two = two_touch(random);
+  Simulation& all = two.all;
   const auto rejects = [&](const std::string& what, const std::string& name, double h) {
     expect_rejects(
-        what, name, [&, c = contact] { step_touching(all, c, h); },
+        what, name, [&, c = two.contact] { step_touching(all, c, h); },
         "spook_parameters refuses this: call it before you change anything.", [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", h);

@@ -256,7 +256,9 @@ EXERCISE_TEST(StepRows, LetsTheConeBrakeEquallyInEveryDirection) {
 
 EXERCISE_TEST(StepRows, RejectsAStepThatIsNotPositive) {
   Random random;
-  auto [all, contacts] = whole_crowd(random);
+  Crowd crowd = whole_crowd(random);
+  Simulation& all = crowd.all;
+  const std::vector<Contact>& contacts = crowd.contacts;
   for (const double h : {0.0, -0.1, std::nan("")})
     expect_rejects(
         "h = " + show(h), "h", [&, touching = contacts] { step_rows(all, touching, h); },
