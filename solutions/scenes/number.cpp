@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,11 +39,14 @@ static bool read_decimal(const char* first, const char* last, double& value) {
 
 std::string exact_text(double value) {
   std::array<char, 32> text;
+  std::string shortest;
   for (int digits = 1; digits <= 17; ++digits) {  // 17 digits distinguish any two doubles
     std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-    if (std::strtod(text.data(), nullptr) == value) break;
+    if (std::strtod(text.data(), nullptr) != value) continue;
+    // One digit writes 90 as 9e+01.
+    if (shortest.empty() || std::strlen(text.data()) < shortest.size()) shortest = text.data();
   }
-  return text.data();
+  return shortest.empty() ? text.data() : shortest;  // empty for a NaN
 }
 
 #endif
