@@ -88,7 +88,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("release", help="a release that debootstrap knows, such as trixie")
     parser.add_argument("--compiler", choices=COMPILERS, default="gcc")
-    parser.add_argument("--only", choices=[*COMMANDS, "container"], help="one of the commands, or the container's")
+    parser.add_argument("--only", choices=[*COMMANDS, "container"], help="one of the commands, or the steps of .devcontainer")
     parser.add_argument("--folder", type=Path, default=Path("/var/tmp"), help="where the machine is made")
     parser.add_argument("--keep", action="store_true", help="leave the machine there")
     options = parser.parse_args(words)
@@ -125,7 +125,8 @@ def main(words: list[str]) -> int:
         commit = _commit(folder / "course")
         for name in [options.only] if options.only else COMMANDS:
             started = time.monotonic()
-            code = run(COMMANDS.get(name) or of_container(), options.compiler, folder, logs / f"{name}.log")
+            command = of_container() if name == "container" else COMMANDS[name]
+            code = run(command, options.compiler, folder, logs / f"{name}.log")
             rows.append((COMMANDS.get(name, "the container"), code, time.monotonic() - started))
     print(f"\n{_report(options.release, options.compiler, commit, rows)}\n  logs in {shown(logs)}")
     return 0 if all(code == 0 for _, code, _ in rows) else 1

@@ -108,7 +108,7 @@ std::vector<Row> of_standing(int across, int layers) {
   for (int n = 0; n < 240; ++n) world.step(h);
   double fastest = 0, sunk = 0;
   for (std::size_t b = 0; b < before.size(); ++b) {
-    fastest = largest(fastest, world.v(static_cast<int>(b)).norm());
+    fastest = larger(fastest, world.v(static_cast<int>(b)).norm());
     sunk += (before[b] - world.bodies().x[b]).z();
   }
   return {{"stands", "fastest", balls(world), fastest},
@@ -182,12 +182,12 @@ Experiment experiment(Size size) {
     const auto largest_of = [&](const std::string& what, const std::string& which) {
       double most = 0;
       for (const double value : table.where("what", what).where("case", which).numbers("value"))
-        most = largest(most, value);
+        most = larger(most, value);
       return most;
     };
     const std::vector<double> tensions = table.where("what", "link").where("case", "tension").numbers("value");
     double off = 0;
-    for (const double tension : tensions) off = largest(off, std::abs(tension - 1));
+    for (const double tension : tensions) off = larger(off, std::abs(tension - 1));
     claims.at_most("the top link of every wire carries all of its weight, to 1e-6", off, 1e-6);
     claims.at_most("a link takes less than 1.5 kilobytes, whatever their number", largest_of("memory", "link"),
                    1500);

@@ -61,8 +61,8 @@ std::vector<Row> of_pyramid(int base) {
   for (int step = 0; step < 1000; ++step) world.step(h);
   double sideways = 0, fastest = 0;
   for (std::size_t b = 0; b < before.size(); ++b) {
-    sideways = largest(sideways, (world.bodies().x[b] - before[b]).head<2>().norm());
-    fastest = largest(fastest, world.bodies().motion.W[b].head<3>().norm());
+    sideways = larger(sideways, (world.bodies().x[b] - before[b]).head<2>().norm());
+    fastest = larger(fastest, world.bodies().motion.W[b].head<3>().norm());
   }
   const double n = base;
   return {{"sunk", n, (before.back() - world.bodies().x.back()).z()},
@@ -91,9 +91,9 @@ Experiment experiment(Size size) {
     claims.at_most("the search looks at no more than a tenth more pairs for each cube", growth("pairs"), 1.1);
     double sunk = 0, sideways = 0, fastest = 0;
     const std::vector<double> pyramids = of("sunk"), towers = of("tower");
-    for (std::size_t k = 0; k < pyramids.size(); ++k) sunk = largest(sunk, pyramids[k] / towers[k]);
-    for (const double way : of("sideways")) sideways = largest(sideways, way);
-    for (const double speed : of("speed")) fastest = largest(fastest, speed);
+    for (std::size_t k = 0; k < pyramids.size(); ++k) sunk = larger(sunk, pyramids[k] / towers[k]);
+    for (const double way : of("sideways")) sideways = larger(sideways, way);
+    for (const double speed : of("speed")) fastest = larger(fastest, speed);
     claims.at_most("the top of no pyramid sinks farther than that of a tower as high", sunk, 1);
     claims.at_most("no cube of a pyramid moves sideways by a twentieth of its side in 1,000 steps", sideways,
                    0.05);

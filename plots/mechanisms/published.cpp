@@ -58,8 +58,8 @@ Left left_by_a_run(const Mechanism& mechanism, const Method& method, double time
     scene->judge();
     const Energy now = scene->frame().energy;
     if (n == 0) first = now.motion + now.turning + now.weight;
-    change = largest(change, std::abs(now.motion + now.turning + now.weight - first));
-    largest_motion = largest(largest_motion, now.motion + now.turning);
+    change = larger(change, std::abs(now.motion + now.turning + now.weight - first));
+    largest_motion = larger(largest_motion, now.motion + now.turning);
   }
   return {scene->error(), change / largest_motion, name_of(scene->verdict().state)};
 }

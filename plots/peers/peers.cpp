@@ -33,7 +33,7 @@ double worst(const Table& table, const std::string& scene, const std::vector<std
   double worst = 0;
   for (const std::string& engine : engines)
     for (const double error : table.where("scene", scene).where("engine", engine).numbers("error"))
-      worst = largest(worst, error);
+      worst = larger(worst, error);
   return worst;
 }
 

@@ -64,7 +64,7 @@ class Andrews : public WorldScene<6> {
     const squeezer::Angles right = squeezer::of_bodies(answer_.at(time()).head<7>());
     for (int body = 1; body <= 7; ++body) {
       const Quat wanted(Eigen::AngleAxisd(right[body - 1], Vec3::UnitZ()));
-      largest_error_ = largest(largest_error_, orientation(world_, body).angularDistance(wanted));
+      largest_error_ = larger(largest_error_, orientation(world_, body).angularDistance(wanted));
     }
   }
   double error() const override { return largest_error_; }

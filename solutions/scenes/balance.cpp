@@ -25,7 +25,7 @@ double largest_unbalanced(const World<6>& world, double radius, double h) {
   }
   double most = 0;
   for (std::size_t b = 0; b < force.size(); ++b)
-    if (!bodies.is_fixed(b)) most = largest(most, largest(force[b].norm(), torque[b].norm() / radius));
+    if (!bodies.is_fixed(b)) most = larger(most, larger(force[b].norm(), torque[b].norm() / radius));
   return most;
 }
 

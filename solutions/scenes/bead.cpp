@@ -46,7 +46,7 @@ class Bead : public WorldScene<6> {
     const State& y = answer_->at(time());
     radius_ = y[0];
     angle_ = y[2];
-    largest_error_ = largest(largest_error_, relative((world_.x(bead_) - place()).norm(), radius_));
+    largest_error_ = larger(largest_error_, relative((world_.x(bead_) - place()).norm(), radius_));
   }
   double error() const override { return largest_error_; }
   std::vector<Ghost> ghosts() const override {

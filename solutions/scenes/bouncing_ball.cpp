@@ -41,7 +41,7 @@ class BouncingBall : public WorldScene<3> {
     bounces_ += impacts;
     if (impacts > 0) last_bounce_ = time() - h_;
     height_by_answer_ = answer_.height(time());
-    largest_error_ = largest(largest_error_, std::abs(peak() - answer_.peak(bounces_)));
+    largest_error_ = larger(largest_error_, std::abs(peak() - answer_.peak(bounces_)));
   }
   double error() const override { return relative(largest_error_, h0_); }
   std::vector<Ghost> ghosts() const override {

@@ -26,7 +26,7 @@ int BoxesOnFloor::add_box(const Vec3& x, double mass, const Vec3& half_sides) {
 double BoxesOnFloor::farthest_sideways() const {
   double farthest = 0;
   for (std::size_t body = 0; body < put_.size(); ++body)
-    farthest = largest(farthest, (world_.bodies().x[body] - put_[body]).head<2>().norm());
+    farthest = larger(farthest, (world_.bodies().x[body] - put_[body]).head<2>().norm());
   return farthest;
 }
 

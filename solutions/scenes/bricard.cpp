@@ -73,7 +73,7 @@ class Bricard : public WorldScene<6> {
     first_energy_ = energy();
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (corner() - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (corner() - answer()).norm()); }
   double error() const override { return relative(largest_error_, l_); }
 
   void results(StateStream& s) override { s(answer_, largest_error_); }

@@ -26,7 +26,7 @@ class ClosedLoop : public WorldScene<3> {
 
   void observe() override {
     error_ = std::abs(long_link_gap() + pull_);
-    for (int link = 0; link < short_links_; ++link) error_ = largest(error_, std::abs(gap(link) - pull_));
+    for (int link = 0; link < short_links_; ++link) error_ = larger(error_, std::abs(gap(link) - pull_));
   }
   double error() const override { return relative(error_, misfit_); }
   std::vector<Ghost> ghosts() const override {

@@ -56,7 +56,7 @@ class Cloth : public WorldScene<Dof> {
 
   void observe() override {
     for (int joint = supports_; joint < static_cast<int>(world_.joints().size()); ++joint)
-      largest_error_ = largest(largest_error_, std::abs(strain(joint) - strain_of_pull(joint)));
+      largest_error_ = larger(largest_error_, std::abs(strain(joint) - strain_of_pull(joint)));
     // The balance holds for a single step.
     const Vec3 p = momentum(world_.bodies());
     if (world_.steps() == observed_ + 1) balance_ = (p - momentum_) / h_ + weight_ * Vec3::UnitZ();
@@ -101,7 +101,7 @@ class Cloth : public WorldScene<Dof> {
   double largest_strain() const {
     double most = 0;
     for (int joint = supports_; joint < static_cast<int>(world_.joints().size()); ++joint)
-      most = largest(most, std::abs(strain(joint)));
+      most = larger(most, std::abs(strain(joint)));
     return most;
   }
 

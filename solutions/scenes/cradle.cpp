@@ -48,7 +48,7 @@ class Cradle : public WorldScene<3> {
   void observe() override {
     const std::vector<double>& answer = world_.steps() > touch ? after_ : before_;
     error_ = 0;
-    for (std::size_t i = 0; i < answer.size(); ++i) error_ = largest(error_, std::abs(v(i) - answer[i]));
+    for (std::size_t i = 0; i < answer.size(); ++i) error_ = larger(error_, std::abs(v(i) - answer[i]));
   }
   double error() const override { return relative(error_, before_[0]); }
   std::vector<Ghost> ghosts() const override {

@@ -58,7 +58,7 @@ class Door : public WorldScene<6> {
   void observe() override {
     const PlanePendulum::Direction theta = answer_.direction(time());
     angle_ = std::atan2(theta.sin, theta.cos);
-    largest_error_ = largest(largest_error_, std::abs(world_.joint_position(0) - angle_));
+    largest_error_ = larger(largest_error_, std::abs(world_.joint_position(0) - angle_));
   }
   double error() const override { return largest_error_; }
   std::vector<Ghost> ghosts() const override {

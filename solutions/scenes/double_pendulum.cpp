@@ -70,7 +70,7 @@ class DoublePendulum : public WorldScene<3> {
     world_.add_joint({.i = first_, .j = second_, .length = rods_.l2});
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (world_.x(second_) - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (world_.x(second_) - answer()).norm()); }
   double error() const override { return relative(largest_error_, rods_.l1 + rods_.l2); }
   std::vector<Ghost> ghosts() const override {
     return {{.body = first_, .x = rods_.first(answer_.at(time()))}, {.body = second_, .x = answer()}};

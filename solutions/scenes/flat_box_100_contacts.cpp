@@ -37,7 +37,7 @@ class FlatBox : public WorldScene<6> {
     error_ = 0;
     const auto contacts = static_cast<int>(world_.contacts().size());
     for (int c = 0; c < contacts; ++c)
-      error_ = largest(error_, std::abs(world_.lambda(c) * world_.parts() - share_));
+      error_ = larger(error_, std::abs(world_.lambda(c) * world_.parts() - share_));
   }
   double error() const override { return relative(error_, share_); }
   std::vector<Ghost> ghosts() const override { return {{.body = body_, .x = Vec3(0, 0, height_ + rest_gap_)}}; }

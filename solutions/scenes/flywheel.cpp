@@ -32,7 +32,7 @@ class Flywheel : public WorldScene<6> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, std::abs(world_.joint_speed(0) - answer()));
+    largest_error_ = larger(largest_error_, std::abs(world_.joint_speed(0) - answer()));
   }
   double error() const override { return relative(largest_error_, std::abs(wanted_)); }
 

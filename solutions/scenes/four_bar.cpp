@@ -47,7 +47,7 @@ class FourBar : public WorldScene<6> {
     first_energy_ = energy();
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (end() - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (end() - answer()).norm()); }
   double error() const override { return relative(largest_error_, l_); }
   std::vector<Ghost> ghosts() const override { return {{.body = cranks_[0], .x = answer() / 2}}; }
 

@@ -17,7 +17,7 @@ class FreeFall : public WorldScene<3> {
     if (shifted_) world_.start_half_step_back(h_);
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, std::abs(world_.x(0).z() - answer())); }
+  void observe() override { largest_error_ = larger(largest_error_, std::abs(world_.x(0).z() - answer())); }
   double error() const override { return relative(largest_error_, std::abs(answer())); }
   std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = Vec3(0, 0, answer())}}; }
 

@@ -59,7 +59,7 @@ class FlyballGovernor : public WorldScene<6> {
 
   void observe() override {
     const double off = std::max((world_.x(ball_) - ball()).norm(), std::abs(world_.x(sleeve_).z() - height()));
-    largest_error_ = largest(largest_error_, off);
+    largest_error_ = larger(largest_error_, off);
   }
   double error() const override { return relative(largest_error_, right_.l); }
   std::vector<Ghost> ghosts() const override {

@@ -54,7 +54,7 @@ class Gyroscope : public WorldScene<6> {
 
   void observe() override {
     const double off = std::abs(world_.joint_position(0) - rate_ * time());
-    largest_error_ = largest(largest_error_, std::max(off, std::abs(world_.joint_position(1))));
+    largest_error_ = larger(largest_error_, std::max(off, std::abs(world_.joint_position(1))));
   }
   double error() const override { return largest_error_; }
   std::vector<Ghost> ghosts() const override {

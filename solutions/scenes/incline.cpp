@@ -41,7 +41,7 @@ class Incline : public WorldScene<Dof> {
 
   void observe() override {
     const double t = this->time();
-    largest_error_ = largest(largest_error_, std::abs(x() - acceleration_ * t * t / 2));
+    largest_error_ = larger(largest_error_, std::abs(x() - acceleration_ * t * t / 2));
   }
   double error() const override {
     const double t = this->time();

@@ -38,7 +38,7 @@ class Orbit : public WorldScene<3> {
     if (shifted_) world_.start_half_step_back(h_);
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (world_.x(0) - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (world_.x(0) - answer()).norm()); }
   double error() const override { return relative(largest_error_, axis_); }
   std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = answer()}}; }
   std::vector<Curve> curves() const override {

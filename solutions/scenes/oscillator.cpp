@@ -20,7 +20,7 @@ class Oscillator : public WorldScene<3> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, std::abs(world_.x(0).x() - amplitude_ * std::cos(rate_ * time())));
+    largest_error_ = larger(largest_error_, std::abs(world_.x(0).x() - amplitude_ * std::cos(rate_ * time())));
   }
   double error() const override { return relative(largest_error_, amplitude_); }
   std::vector<Ghost> ghosts() const override {

@@ -61,7 +61,7 @@ class Pendulum : public WorldScene<Dof> {
       world_.add_joint({.i = anchor_, .j = bob_, .length = l_});
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (world_.x(bob_) - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (world_.x(bob_) - answer()).norm()); }
   double error() const override { return relative(largest_error_, l_); }
   std::vector<Ghost> ghosts() const override { return {{.body = bob_, .x = answer()}}; }
   std::vector<Curve> curves() const override {

@@ -73,7 +73,7 @@ class PhysicalPendulum : public WorldScene<6> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, std::abs(world_.joint_position(0) - answer()));
+    largest_error_ = larger(largest_error_, std::abs(world_.joint_position(0) - answer()));
     // Counts impulses from the arrival; a later load by the weight is not counted.
     if (std::abs(time() - arrival_) < 2.5 * h_) given_ -= h_ * world_.limit_force(0);
   }

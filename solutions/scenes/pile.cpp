@@ -91,13 +91,13 @@ class Pile : public WorldScene<6> {
   /// The largest overlap of contacts, at the start of the last step [m].
   double deepest() const {
     double depth = 0;
-    for (const Contact& contact : world_.contacts()) depth = largest(depth, -contact.gap);
+    for (const Contact& contact : world_.contacts()) depth = larger(depth, -contact.gap);
     return depth;
   }
 
   double fastest() const {
     double v = 0;
-    for (const Twist<6>& W : world_.bodies().motion.W) v = largest(v, W.head<3>().norm());
+    for (const Twist<6>& W : world_.bodies().motion.W) v = larger(v, W.head<3>().norm());
     return v;
   }
 

@@ -41,7 +41,7 @@ class Rope : public WorldScene<3> {
 
   void observe() override {
     for (std::size_t k = 0; k < answer_.x.size(); ++k)
-      largest_error_ = largest(largest_error_, (world_.bodies().x[k] - answer_.x[k]).norm());
+      largest_error_ = larger(largest_error_, (world_.bodies().x[k] - answer_.x[k]).norm());
   }
   double error() const override { return relative(largest_error_, length_); }
   std::vector<Curve> curves() const override { return {{.name = "the chain at rest", .points = answer_.x}}; }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/diagnostics/run_check.hpp"
+#include "engine/support/larger.hpp"
 #include "recording/picture.hpp"
 #include "scenes/hand.hpp"
 #include "scenes/method.hpp"
@@ -198,11 +199,6 @@ class WorldScene : public Scene {
   RunCheck<Dof> soundness_;
   double since_ = 0;  // time of the other scene at take_state_from [s]
 };
-
-/// The larger of the two; NaN if either is NaN, unlike std::max.
-inline double largest(double a, double b) {
-  return std::isnan(b) || b > a ? b : a;
-}
 
 /// error/scale, and 0 for an error of 0 at any scale.
 inline double relative(double error, double scale) {

@@ -37,12 +37,12 @@ class SlideToRoll : public WorldScene<6> {
 
   void observe() override {
     const double t = time();
-    x_error_ = largest(x_error_, std::abs(x() - answer(t)));
-    spin_error_ = largest(spin_error_, std::abs(spin() - spin_rate() * std::min(spin_time(), rolls_after())));
+    x_error_ = larger(x_error_, std::abs(x() - answer(t)));
+    spin_error_ = larger(spin_error_, std::abs(spin() - spin_rate() * std::min(spin_time(), rolls_after())));
   }
   double error() const override {
     const double slid = sliding_.way(std::min(time(), rolls_after()));
-    return largest(relative(x_error_, slid), relative(spin_error_, sliding_.v0 / radius_ * 5 / 7));
+    return larger(relative(x_error_, slid), relative(spin_error_, sliding_.v0 / radius_ * 5 / 7));
   }
   std::vector<Ghost> ghosts() const override {
     const double t = time(), speeding_up = std::min(t, rolls_after());

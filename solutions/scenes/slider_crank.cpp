@@ -63,7 +63,7 @@ class SliderCrank : public WorldScene<6> {
     first_energy_ = energy();
   }
 
-  void observe() override { largest_error_ = largest(largest_error_, (world_.x(slider_) - answer()).norm()); }
+  void observe() override { largest_error_ = larger(largest_error_, (world_.x(slider_) - answer()).norm()); }
   double error() const override { return relative(largest_error_, (crank_end - slider_at).norm()); }
   std::vector<Ghost> ghosts() const override { return {{.body = slider_, .x = answer()}}; }
 

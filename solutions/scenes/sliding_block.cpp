@@ -46,7 +46,7 @@ class SlidingBlock : public WorldScene<Dof> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, (from_start() - answer()).norm());
+    largest_error_ = larger(largest_error_, (from_start() - answer()).norm());
     if (world_.v(block_).norm() > stands_still()) moving_ = this->time();
   }
   double error() const override { return relative(largest_error_, coulomb_.way(this->time())); }

@@ -48,7 +48,7 @@ class SpinningDisc : public WorldScene<6> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, std::abs(spin() - answer_.v(time())));
+    largest_error_ = larger(largest_error_, std::abs(spin() - answer_.v(time())));
     if (spin() > answer_.rate * h_ / 2) spinning_ = time();
   }
   double error() const override { return relative(largest_error_, w0_); }

@@ -30,8 +30,7 @@ class Stack : public WorldScene<3> {
 
   void observe() override {
     error_ = 0;
-    for (std::size_t i = 0; i < rest_gap_.size(); ++i)
-      error_ = largest(error_, std::abs(gap(i) - rest_gap_[i]));
+    for (std::size_t i = 0; i < rest_gap_.size(); ++i) error_ = larger(error_, std::abs(gap(i) - rest_gap_[i]));
   }
   double error() const override { return relative(error_, std::abs(rest_gap_[0])); }
   std::vector<Ghost> ghosts() const override {

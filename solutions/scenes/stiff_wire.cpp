@@ -41,9 +41,9 @@ class StiffWire : public WorldScene<3> {
 
   void observe() override {
     double worst = 0;
-    for (int link = 0; link < links_; ++link) worst = largest(worst, std::abs(gap(link)));
+    for (int link = 0; link < links_; ++link) worst = larger(worst, std::abs(gap(link)));
     now_ = worst * links_ / length_;
-    error_ = largest(error_, now_);
+    error_ = larger(error_, now_);
   }
   double error() const override { return error_; }
   std::vector<Curve> curves() const override {

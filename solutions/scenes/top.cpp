@@ -45,7 +45,7 @@ class Top : public WorldScene<6> {
   }
 
   void observe() override {
-    largest_error_ = largest(largest_error_, (omega_in_body() - answer_.omega(time())).norm());
+    largest_error_ = larger(largest_error_, (omega_in_body() - answer_.omega(time())).norm());
   }
   double error() const override { return relative(largest_error_, answer_.omega(0).norm()); }
   std::vector<Ghost> ghosts() const override {

@@ -32,7 +32,7 @@ class Tower : public BoxesOnFloor {
   void observe() override {
     error_ = 0;
     for (std::size_t i = 0; i < rest_sinking_.size(); ++i)
-      error_ = largest(error_, std::abs(sinking(i) - rest_sinking_[i]));
+      error_ = larger(error_, std::abs(sinking(i) - rest_sinking_[i]));
   }
   double error() const override { return relative(error_, rest_sinking_.back()); }
   std::vector<Ghost> ghosts() const override {

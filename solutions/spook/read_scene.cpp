@@ -61,7 +61,7 @@ class FileScene : public WorldScene<Dof> {
   double error() const override {
     if (expected_.empty()) return std::numeric_limits<double>::quiet_NaN();
     double error = 0;
-    for (const Expected& each : expected_) error = largest(error, each.error);
+    for (const Expected& each : expected_) error = larger(error, each.error);
     return error;
   }
 

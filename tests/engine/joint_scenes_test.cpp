@@ -29,7 +29,7 @@ SceneSettings operator+(SceneSettings a, const SceneSettings& b) {
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double difference = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) difference = largest(difference, std::abs(a[n] - b[n]));
+  for (std::size_t n = 0; n < a.size(); ++n) difference = larger(difference, std::abs(a[n] - b[n]));
   return difference;
 }
 
@@ -190,7 +190,7 @@ TEST(PendulumScene, HasTheTensionOfItsMotion) {
     double off = 0;
     for (std::size_t n = 1; n < run.all("tension [N]").size(); ++n) {
       const double cosine = std::cos(radians(run.all("answer [degrees]")[n - 1]));
-      off = largest(off, std::abs(run.all("tension [N]")[n] - 2 * g * (cosine + 2 / inertia * (cosine - 0.5))));
+      off = larger(off, std::abs(run.all("tension [N]")[n] - 2 * g * (cosine + 2 / inertia * (cosine - 0.5))));
     }
     return off / (2 * g);
   };

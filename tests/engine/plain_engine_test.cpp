@@ -67,9 +67,9 @@ void expect_agreement(const Case& one, Method method) {
   const std::vector<double> a = numbers(plain->frame()), b = numbers(fast->frame());
   double apart = 0, moved = 0, size = 0;
   for (std::size_t k = 0; k < b.size(); ++k) {
-    apart = largest(apart, std::abs(a[k] - b[k]));
-    moved = largest(moved, std::abs(start[k] - b[k]));
-    size = largest(size, std::abs(b[k]));
+    apart = larger(apart, std::abs(a[k] - b[k]));
+    moved = larger(moved, std::abs(start[k] - b[k]));
+    size = larger(size, std::abs(b[k]));
   }
   // Sums in another order are roundings apart in each step. The rows of a step take a part 4/(h(1 + 4d)) of a gap as
   // velocity, some 100/s, so that roundings of x are 100 times as large in v; 100 steps add up as many of them.
@@ -153,8 +153,8 @@ TEST(PlainEngine, RunsEverySceneOrSaysWhyNot) {
     const std::vector<double> a = numbers(plain->frame()), b = numbers(fast->frame());
     double apart = 0, size = 0;
     for (std::size_t k = 0; k < b.size(); ++k) {
-      apart = largest(apart, std::abs(a[k] - b[k]));
-      size = largest(size, std::abs(b[k]));
+      apart = larger(apart, std::abs(a[k] - b[k]));
+      size = larger(size, std::abs(b[k]));
     }
     EXPECT_LE(apart, 1e-9 * size) << description.name << " by " << plain_step_of(*plain, method);
   }

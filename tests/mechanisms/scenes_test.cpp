@@ -33,7 +33,7 @@ class Composed {
       scene_->advance(1);
       scene_->observe();
       scene_->judge();
-      energy_change_ = largest(energy_change_, std::abs(energy() - first));
+      energy_change_ = larger(energy_change_, std::abs(energy() - first));
     }
     return scene_->error();
   }

@@ -248,8 +248,8 @@ class Next(unittest.TestCase):
 class Milestone(unittest.TestCase):
     def test_an_own_step_is_offered_by_its_exercise_as_long_as_that_is_a_stub(self):
         for folder, begun, told in (("01_leapfrog", True, "By a step of your own:\n  ./course view orbit"),
-                                    ("07_impacts", False, "By a step of your own, once you have 7.9 step_impacts:\n"),
-                                    ("12_stiff_wires", False, "By a step of your own, once you have 9.9 step_rows:\n"),
+                                    ("07_impacts", False, "By a step of your own, once you have written 7.9 step_impacts:\n"),
+                                    ("12_stiff_wires", False, "By a step of your own, once you have written 9.9 step_rows:\n"),
                                     ("12_stiff_wires", True, "By a step of your own:\n  ./course view stiff_wire")):
             with self.subTest(folder), mock.patch.object(board.Exercise, "started", lambda _: begun), \
                  contextlib.redirect_stdout(io.StringIO()) as text:

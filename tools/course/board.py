@@ -93,7 +93,7 @@ def show_milestone(folder: str) -> None:
         print(f"  {command}")
     if command := own_step(folder):
         step = _step_of(folder)
-        print("  By a step of your own:" if step.started() else f"  By a step of your own, once you have {step.label}:")
+        print("  By a step of your own:" if step.started() else f"  By a step of your own, once you have written {step.label}:")
         print(f"  {command}")
     left_out = [exercise.id for exercise in all_exercises()
                 if exercise.folder == folder and exercise.function in not_shown(folder)]
@@ -102,7 +102,10 @@ def show_milestone(folder: str) -> None:
 
 
 def _step_of(folder: str) -> Exercise:
-    """Returns the exercise whose step `--engine mine` runs after this chapter: its own, or that of a chapter before."""
+    """Returns the exercise whose step `--engine mine` runs after this chapter: its own, or that of a chapter before.
+
+    All are named step_..., but for 1.4 leapfrog_step.
+    """
     return [exercise for exercise in all_exercises()
             if exercise.folder <= folder and (exercise.function.startswith("step_") or exercise.id == "1.4")][-1]
 

@@ -30,7 +30,7 @@ class InPlace : public Judge {
   void look(const Engine& engine, double) override {
     error_ = 0;
     for (std::size_t i = 0; i < problem_.bodies.size(); ++i)
-      error_ = largest(error_, (engine.x(static_cast<int>(i)) - problem_.bodies[i].x).norm());
+      error_ = larger(error_, (engine.x(static_cast<int>(i)) - problem_.bodies[i].x).norm());
     error_ /= size_of(problem_.bodies[static_cast<std::size_t>(first_that_moves(problem_))]);
   }
   double error() const override { return error_; }
@@ -50,7 +50,7 @@ class Joints : public Judge {
     error_ = 0;
     const auto point = [&](int body, const Vec3& p) { return Vec3(engine.x(body) + engine.q(body) * p); };
     for (const Joint& joint : joints_)
-      error_ = largest(error_, (point(joint.j, joint.p_j) - point(joint.i, joint.p_i)).norm() / link_);
+      error_ = larger(error_, (point(joint.j, joint.p_j) - point(joint.i, joint.p_i)).norm() / link_);
   }
   double error() const override { return error_; }
 
@@ -69,7 +69,7 @@ class Length : public Judge {
   }
   void look(const Engine& engine, double time) override {
     if (time < after_) return;
-    error_ = largest(error_, std::abs((engine.x(end_) - engine.x(begin_)).norm() / length_ - 1));
+    error_ = larger(error_, std::abs((engine.x(end_) - engine.x(begin_)).norm() / length_ - 1));
   }
   double error() const override { return error_; }
 
@@ -107,7 +107,7 @@ class Chain : public Judge {
     const State& y = motion_.at(time);
     Vec3 x = top_;
     for (int k = 0; k < Rods; ++k) x += l_[k] * Vec3(std::sin(y[k]), 0, -std::cos(y[k]));
-    error_ = largest(error_, (engine.x(Rods) - x).norm() / l_.sum());
+    error_ = larger(error_, (engine.x(Rods) - x).norm() / l_.sum());
   }
   double error() const override { return error_; }
 
@@ -164,7 +164,7 @@ class Rolling : public Judge {
         start_(problem.bodies[static_cast<std::size_t>(body_)].x) {}
   void look(const Engine& engine, double time) override {
     const Vec3 way = engine.x(body_) - start_;
-    error_ = largest(error_, std::abs(std::hypot(way.x(), way.y()) - answer(time)) / answer(rolls_after()));
+    error_ = larger(error_, std::abs(std::hypot(way.x(), way.y()) - answer(time)) / answer(rolls_after()));
   }
   double error() const override { return error_; }
 
@@ -193,7 +193,7 @@ class Turning : public Judge {
 
   void look(const Engine& engine, double time) override {
     const State& y = motion_.at(time);
-    error_ = largest(error_, engine.q(body_).angularDistance(Quat(y[0], y[1], y[2], y[3]).normalized()));
+    error_ = larger(error_, engine.q(body_).angularDistance(Quat(y[0], y[1], y[2], y[3]).normalized()));
   }
   double error() const override { return error_; }
 
@@ -225,7 +225,7 @@ class Peaks : public Judge {
       const double a = last_but_one_, b = before_;
       const double peak = b + (a - z) * (a - z) / (8 * (2 * b - a - z));
       ++peaks_;
-      error_ = largest(error_, std::abs(peak - answer_.peak(peaks_)) / h0_);
+      error_ = larger(error_, std::abs(peak - answer_.peak(peaks_)) / h0_);
     }
     ++seen_;
     last_but_one_ = before_;

@@ -162,7 +162,7 @@ std::vector<Lap> race(const Case& one, int rounds) {
   for (Runner& runner : runners) {
     double seconds = 0;
     for (std::size_t set = 0; set < one.set.size(); ++set)
-      runner.error = largest(runner.error, judged(one, runner, set, seconds));
+      runner.error = larger(runner.error, judged(one, runner, set, seconds));
     runner.rounds = std::isfinite(runner.error) ? rounds_of(seconds, rounds) : 0;
     if (runner.rounds < rounds) runner.seconds = seconds;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "09_better_friction/cone_rows.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -54,11 +55,6 @@ static inline void push(const PointRow<Dof>& row1, const PointRow<Dof>& row2, co
     Wi.template tail<3>() += delta[0] * row1.MinvAi + delta[1] * row2.MinvAi;
     Wj.template tail<3>() += delta[0] * row1.MinvAj + delta[1] * row2.MinvAj;
   }
-}
-
-/// The larger of the two; NaN if `b` is NaN.
-static double larger(double a, double b) {
-  return std::isnan(b) || b > a ? b : a;
 }
 
 template <int Dof>

@@ -9,6 +9,7 @@
 
 #include "14_fast_rows/fast_rows.hpp"
 #include "engine/solvers/registry.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -24,10 +25,8 @@ template <int Dof>
 static double sweep_colours(std::vector<Colour<Dof>>& colours, std::vector<Twist<Dof>>& V) {
   double largest = 0;
   for (Colour<Dof>& colour : colours)
-    for (Pack<Dof>& pack : colour) {
-      const double lacked = pack.mu.empty() ? update_pack(pack, V) : update_contact_pack(pack, V);
-      if (std::isnan(lacked) || lacked > largest) largest = lacked;
-    }
+    for (Pack<Dof>& pack : colour)
+      largest = larger(largest, pack.mu.empty() ? update_pack(pack, V) : update_contact_pack(pack, V));
   return largest;
 }
 

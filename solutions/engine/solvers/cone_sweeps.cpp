@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "09_better_friction/cone_rows.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -29,11 +30,6 @@ ConeBlock<Dof> block_of(const FrictionContact& contact, const std::vector<Row<Do
   block.mass_t = 1 / block.s;
   block.mu = contact.mu;
   return block;
-}
-
-/// The larger of two, or NaN if one of them is.
-inline double larger(double a, double b) {
-  return std::isnan(a) || a > b ? a : b;
 }
 
 /// Adds M⁻¹ Gᵀ Δλ of the three rows to V.

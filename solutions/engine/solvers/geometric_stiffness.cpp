@@ -62,13 +62,13 @@ struct SubSystem {
       : V(s.V.size(), Twist<3>::Zero()), contacts(value ? std::vector<Contact>{} : s.contacts) {
     std::vector<Row<3>>& rows = constraints.rows;
     for (std::size_t k = 0; k < s.rows().size(); ++k) {
-      if (k == s.constraints.first_contact_row) constraints.first_contact_row = rows.size();
       if (wanted[k] != value) continue;
       from.push_back(k);
       rows.push_back(s.rows()[k]);
       apply_impulse(rows.back(), rows.back().lambda, V);
     }
-    if (s.constraints.first_contact_row == s.rows().size()) constraints.first_contact_row = rows.size();
+    const auto of_contacts = std::lower_bound(from.begin(), from.end(), s.constraints.first_contact_row);
+    constraints.first_contact_row = static_cast<std::size_t>(of_contacts - from.begin());
     constraints.rows_per_contact = s.constraints.rows_per_contact;
     std::size_t row = 0;
     for (const Joint& joint : s.joints) {

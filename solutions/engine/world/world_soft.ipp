@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/support/larger.hpp"
+
 namespace spook {
 
 template <int Dof>
@@ -130,13 +132,12 @@ void World<Dof>::sweep_all_rows(const Normals& sweep_normals) {
   if (rows().empty()) return;
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
   double largest = 0;
-  const auto note = [&](double lacked) {
-    if (std::isnan(lacked) || lacked > largest) largest = lacked;
-  };
-  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k)
-    note(constraints_.rows[k].diagonal * std::abs(update_row(constraints_.rows[k], W)));
-  note(soft_contacts_.sweep_friction(W));
-  note(sweep_normals());
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) {
+    Row<Dof>& row = constraints_.rows[k];
+    largest = larger(largest, row.diagonal * std::abs(update_row(row, W)));
+  }
+  largest = larger(largest, soft_contacts_.sweep_friction(W));
+  largest = larger(largest, sweep_normals());
   solved_.history.push_back(largest);
   solved_.converged = largest <= settings_.solver_limits.tolerance;
   row_updates_ += std::ssize(rows());
