@@ -100,7 +100,7 @@ Parameter start() {
 
 Parameter bodies(double value, double most) {
   return {.name = "bodies",
-          .meaning = "how many spheres",
+          .meaning = "how many",
           .value = value,
           .limits = {.low = 1, .high = most, .whole = true}};
 }
