@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def native() -> Path:
-    return Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+    return Path(os.environ["COURSE_BUILD"], "release", "solutions", "spook")
 
 
 def commands(steps: int) -> list[dict]:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(os.environ.get("COURSE_SOURCE") or Path(__file__).resolve().parents[2]).resolve()
 TOOLS = ROOT / "tools"
-sys.dont_write_bytecode = True
+sys.dont_write_bytecode = sys.pycache_prefix is None
 sys.path.insert(0, str(TOOLS / "course"))
 
 from errors import CourseError  # noqa: E402

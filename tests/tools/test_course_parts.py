@@ -30,7 +30,7 @@ import verdict
 from errors import CourseError
 from manifest import numbered_items
 from marker import code_of, is_stub, marker_line
-from needs import BROWSER_NEEDS, NEEDS, Need
+from needs import NEEDS, Need
 
 
 class Marker(unittest.TestCase):

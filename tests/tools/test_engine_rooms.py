@@ -3,7 +3,6 @@
 import collections
 import re
 import unittest
-from pathlib import Path
 
 from sandbox import ROOT
 

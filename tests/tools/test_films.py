@@ -41,7 +41,7 @@ class Films(unittest.TestCase):
                 self.assertGreater(data.count(b"ANMF"), 10)  # equal ones are one
 
     def test_what_is_filmed_runs(self):
-        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        spook = Path(os.environ["COURSE_BUILD"], "release", "solutions", "spook")
         for folder, film in films().items():
             with self.subTest(folder):
                 options = list(film["options"])
@@ -78,7 +78,7 @@ class Films(unittest.TestCase):
                 self.assertEqual(exercises - called, set(not_shown(folder)))
 
     def test_a_chapter_with_a_step_says_how_to_run_it(self):
-        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        spook = Path(os.environ["COURSE_BUILD"], "release", "solutions", "spook")
         shown = {folder: own_step(folder) for folder in self.lessons if own_step(folder)}
         self.assertEqual(list(shown), list(self.lessons))
         for folder, command in shown.items():

@@ -35,8 +35,10 @@ def answers(function: str) -> dict[str, tuple[str | None, str]]:
         "hogs": (beginning_with("throw std::bad_alloc();", function, "new"), "out of memory"),
         "forks": (beginning_with("fork();", function, "unistd.h"), "tampered: calls fork()"),
     }
-    if function == FUNCTIONS[0]:  # each of its tests takes the whole time limit
-        found["loops"] = (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out: looped")
+    if function != FUNCTIONS[0]:  # what stops an answer does so whatever it answers
+        return {kind: found[kind] for kind in ("right", "right in folds", "missing", "stub", "throws")}
+    # Each of its tests takes the whole time limit.
+    found["loops"] = (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out: looped")
     return found
 
 

@@ -13,8 +13,9 @@ from pathlib import Path
 from sandbox import ROOT
 
 from errors import CourseError
+from grading.choices import ISOLATIONS
 from grading.confined import Ended, Limits, run
-from grading.isolation import NAMES, Isolation, choose, take_user
+from grading.isolation import Isolation, choose, take_user
 from grading.judge import read_verdict
 from grading.pair import Ran
 
@@ -28,7 +29,7 @@ def works(name: str) -> bool:
         return False
 
 
-WORKING = [name for name in NAMES if works(name)]
+WORKING = [name for name in ISOLATIONS if works(name)]
 WITH_NAMESPACES = [name for name in WORKING if name.startswith("bubblewrap")]
 PYTHON = "/usr/bin/python3"
 

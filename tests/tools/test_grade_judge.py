@@ -21,7 +21,8 @@ from errors import CourseError
 from grading.complaints import compiler_says
 from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
-from grading.isolation import ENVIRONMENT, NAMES, User, choose, take_user
+from grading.choices import ISOLATIONS
+from grading.isolation import ENVIRONMENT, User, choose, take_user
 from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
 from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
@@ -151,7 +152,7 @@ class Compiled(unittest.TestCase):
         """By the shell that runs it, in each isolation that works here: a namespace hides it from outside."""
         exercise = next(iter(all_exercises()))
         spin = "i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done; exit 1"
-        for name in NAMES:
+        for name in ISOLATIONS:
             try:
                 isolation = choose(name)
             except CourseError:

@@ -9,7 +9,8 @@ from pathlib import Path
 from classroom import run_course
 from sandbox import ROOT, all_exercises
 
-from grading.weights import TABLE, first_draft, read_rows
+from grading.choices import TABLE
+from grading.weights import first_draft, read_rows
 from grading.workshop import build_tests, idle_tests, listed_tests, test_program
 from manifest import read_chapters
 

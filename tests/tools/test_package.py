@@ -53,7 +53,7 @@ class Package(unittest.TestCase):
         cls._scratch = tempfile.TemporaryDirectory(prefix="course-package-")
         cls.scratch = Path(cls._scratch.name).resolve()
         cls.addClassCleanup(cls._scratch.cleanup)
-        tree = Tree("check")
+        tree = Tree("release")
         built = tree.build(["spook_package"], "building the package")
         assert built.ok, built.output
         cls.prefix = cls.scratch / "prefix"

@@ -1,40 +1,27 @@
 """The course command: calls one file for each subcommand, and reports errors."""
 
+import importlib
 import os
 import sys
+from collections.abc import Callable
 
 import terminal
 from arguments import parse
-from board import progress
-from book import book
-from check import check
 from errors import CourseError
-from everything import test
-from exam import exam
-from exporting.export import export
-from grading.grade import grade
-from hint import hint
-from importing.command import import_model
-from play import play
-from playground import playground
-from plot import plot
-from predict import predict
-from python import python
-from reset import reset
-from run import run, scenes
-from slides import slides
-from solution import solution
-from start import start
-from update import update
-from version import show_version
-from view import view
-from watch import watch
 
-COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
-            "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play, "predict": predict, "book": book, "try": playground, "python": python,
-            "import": import_model, "update": update, "slides": slides, "exam": exam, "version": show_version}
-FORWARDED = {"run": run, "scenes": scenes}
+# Where each command's function is. Only the file of the one that is called is read.
+COMMANDS = {"progress": "board.progress", "check": "check.check", "watch": "watch.watch", "plot": "plot.plot",
+            "hint": "hint.hint", "solution": "solution.solution", "reset": "reset.reset", "start": "start.start",
+            "test": "everything.test", "grade": "grading.grade.grade", "export": "exporting.export.export",
+            "view": "view.view", "play": "play.play", "predict": "predict.predict", "book": "book.book",
+            "try": "playground.playground", "python": "python.python", "import": "importing.command.import_model",
+            "update": "update.update", "slides": "slides.slides", "exam": "exam.exam", "version": "version.show_version"}
+FORWARDED = {"run": "run.run", "scenes": "run.scenes"}
+
+
+def _function(place: str) -> Callable:
+    file, _, name = place.rpartition(".")
+    return getattr(importlib.import_module(file), name)
 
 
 def main(words: list[str]) -> int:
@@ -42,8 +29,8 @@ def main(words: list[str]) -> int:
     try:
         arguments = parse(words)
         if arguments.command in FORWARDED:
-            return FORWARDED[arguments.command](arguments.words)
-        code = COMMANDS[arguments.command](arguments)
+            return _function(FORWARDED[arguments.command])(arguments.words)
+        code = _function(COMMANDS[arguments.command])(arguments)
         sys.stdout.flush()
         return code
     except CourseError as error:

@@ -3,10 +3,7 @@
 import argparse
 
 from errors import BadInput
-from grading.isolation import NAMES
-from grading.results import RULES
-from grading.submission import ATTEMPTS
-from grading.weights import TABLE
+from grading.choices import ATTEMPTS, ISOLATIONS, RULES, TABLE
 from paths import BUILD
 from pick import near
 
@@ -258,8 +255,8 @@ def _add_grade(command: Parser) -> None:
                               "(default: 20)")
     command.add_argument("--submission-time", type=_count, default=120, metavar="SECONDS",
                          help="largest total of time-outs and slow work in a submission (default: 120)")
-    command.add_argument("--isolation", choices=NAMES, metavar="NAME",
-                         help=f"isolation of submissions (default: the first that works of {', '.join(NAMES)})")
+    command.add_argument("--isolation", choices=ISOLATIONS, metavar="NAME",
+                         help=f"isolation of submissions (default: the first that works of {', '.join(ISOLATIONS)})")
     command.add_argument("--fresh", action="store_true",
                          help="grade everything again, ignoring earlier results; if interrupted, the command without "
                               "it goes on")

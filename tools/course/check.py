@@ -3,7 +3,8 @@
 import textwrap
 
 from board import board_line, count_done, next_of_all, show_milestone, show_next
-from grading.weights import TABLE, read_rows
+from grading.choices import TABLE
+from grading.weights import read_rows
 from last_verdicts import last_state, remember
 from manifest import Exercise, all_exercises
 from paths import shown

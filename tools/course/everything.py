@@ -46,10 +46,10 @@ def test(arguments) -> int:
 def _fast(strict: bool) -> int:
     """Runs tests with the label `fast`, and the mutants of changed chapters."""
     check, now = Tree("check"), mutants.digests()
+    _build(Tree("release"), _IN_RELEASE, strict)
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
     _build(check, [*labels, *_graded(1)], strict)
-    _build(Tree("release"), _IN_RELEASE, strict)
     chosen = selection(labels)
     outcome = _run(check, chosen)
     if outcome.ok:
@@ -65,6 +65,7 @@ def _on_mac(arguments) -> int:
         machine.require_linux("./course test --all")
     install(NEEDS, arguments.yes)
     check = Tree("check")
+    _build(Tree("release"), ["spook"], arguments.strict)
     _build(check, ["fast"], arguments.strict)
     code = _report([_run(check, [*selection(["fast"]), "-E", r"^tools\."])])
     print("Left out: mutant.*, plot.*, tools.*, and all tests under sanitizers, which need Linux.")
@@ -77,7 +78,8 @@ def _everything(arguments) -> int:
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
     now = mutants.digests()
-    for tree, targets in ((check, ["all", *_graded()]), (release, _IN_RELEASE), (sanitize, [])):
+    for tree, targets in ((release, [*_IN_RELEASE, "experiments", "spook_package"]), (check, ["all", *_graded()]),
+                          (sanitize, [])):
         _build(tree, targets, arguments.strict)
     outcomes = [_run(tree) for tree in (check, sanitize)]
     if outcomes[0].ok:

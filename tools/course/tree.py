@@ -29,6 +29,10 @@ def jobs() -> int:
     return int(given) if given.isdecimal() and int(given) > 0 else processors()
 
 
+# A tree that links what others have compiled: CMake reads there what it is.
+_LINKS = {"check": ["release"], "sanitize": ["release", "check"]}
+
+
 class Tree:
     def __init__(self, preset: str, wrapper: tuple[str, ...] = ()):
         """`wrapper` precedes cmake and sets its compiler, as emcmake does."""
@@ -55,6 +59,8 @@ class Tree:
         if not self._is_of_this_course():
             self._say_that_it_was_moved()
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
+        for other in _LINKS.get(self.preset, []):
+            Tree(other).configure()
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
         command = [*self._wrapper, "cmake", "--preset", self.preset, "-B", str(self.path),

@@ -1,5 +1,6 @@
 """Marks keywords, comments and strings in code, by Pygments."""
 
+import functools
 import html
 import re
 from pathlib import Path
@@ -43,10 +44,16 @@ def code_in_text(code: str) -> str:
 
 def language_of(name: Path) -> str:
     """Returns Pygments' name of the language; text, if the file's name does not tell."""
+    ending = name.suffix not in ("", ".txt")  # CMakeLists.txt is no text
+    return _language_of(f"file{name.suffix}" if ending else name.name)
+
+
+@functools.cache
+def _language_of(name: str) -> str:
     from pygments.lexers import get_lexer_for_filename
     from pygments.util import ClassNotFound
 
     try:
-        return get_lexer_for_filename(name.name).aliases[0]
+        return get_lexer_for_filename(name).aliases[0]
     except ClassNotFound:
         return "text"

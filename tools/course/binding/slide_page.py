@@ -3,7 +3,6 @@
 import base64
 import html
 import re
-from pathlib import Path
 from string import Template
 from urllib.parse import unquote
 

@@ -6,11 +6,12 @@ from pathlib import Path
 
 from errors import BadInput
 from exporting import autolab, github, gradescope, grades, junit, students, table, weights
+from grading.choices import TABLE
 from grading.merge import read_result, read_results
 from grading.results import scored
 from grading.roster import read_roster
 from grading.text import one_line
-from grading.weights import TABLE, read_weights
+from grading.weights import read_weights
 
 _KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
                               "autolab": autolab.write_kit, "students": students.write_repository}

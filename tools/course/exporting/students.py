@@ -17,7 +17,7 @@ from errors import BadInput, CourseError
 from files import course_files
 from machine import require_linux
 from manifest import Chapter, read_chapters
-from paths import ROOT, shown
+from paths import ROOT
 from reset import stub_of
 from tree import Tree
 from version import stated_in, version
@@ -77,11 +77,12 @@ def _chosen(numbers: set[int] | None) -> list[Chapter]:
 def _compile(preset: str, folder: Path) -> None:
     """Compiles the reference's objects, without debug information about their sources."""
     tree = Tree(preset)
-    built = tree.build(["spook_reference"], f"building the reference, {preset}")
+    archive = "spook_reference" if preset == "check" else "reference_by_function"
+    built = tree.build([archive], f"building the reference, {preset}")
     if not built.ok:
         raise tree.own_failure(built)
     folder.mkdir()
-    _run(["ar", "x", str(tree.path / "solutions" / "libspook_reference.a")], folder)
+    _run(["ar", "x", str(tree.path / "solutions" / f"lib{archive}.a")], folder)
     for file in folder.iterdir():
         if file.name.startswith("operations."):  # whose source is among the chapters'
             file.unlink()

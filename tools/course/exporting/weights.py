@@ -2,7 +2,8 @@
 
 import io
 
-from grading.weights import TABLE, as_table, first_draft, read_rows
+from grading.choices import TABLE
+from grading.weights import as_table, first_draft, read_rows
 from grading.workshop import build_tests, idle_tests, listed_tests, test_program
 from machine import require_linux
 from manifest import read_chapters

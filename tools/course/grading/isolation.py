@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import CourseError
+from grading.choices import ISOLATIONS
 from grading.confined import Ended, Limits, run
 
-NAMES = ("bubblewrap and a uid", "bubblewrap", "uid", "limits")
 _WHAT_IT_DOES_NOT_DENY = {
     "bubblewrap and a uid": "",
     "bubblewrap": "",
@@ -121,7 +121,7 @@ GRADER = User(None)
 def choose(name: str = "") -> Isolation:
     """Returns the strongest isolation that works here, or the named one."""
     tried = []
-    for candidate in [Isolation(name)] if name else map(Isolation, NAMES):
+    for candidate in [Isolation(name)] if name else map(Isolation, ISOLATIONS):
         problem = _problem(candidate)
         if not problem:
             return candidate

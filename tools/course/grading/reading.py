@@ -13,9 +13,10 @@ import tempfile
 from pathlib import Path, PurePosixPath
 
 from grading.archives import is_archive, names_in
+from grading.choices import ATTEMPTS
 from grading.confined import Limits, run
 from grading.names import Student
-from grading.submission import ATTEMPTS, Handed, Place, Source, Submission, read_submission
+from grading.submission import Handed, Place, Source, Submission, read_submission
 from manifest import Exercise, all_exercises
 
 _READING = Limits(cpu=30, wall=120, memory=2 << 30, files=128 << 20, processes=0, output=1 << 16)

@@ -14,7 +14,6 @@ from grading.weights import Weights
 from manifest import Exercise
 
 SCHEMA = "spook-course/results/2"
-RULES = ("exercises", "tests")  # what counts: an exercise that is right, or each test
 
 
 def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVerdict]], weights: Weights,

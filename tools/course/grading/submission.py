@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, cause, entries_of
+from grading.choices import ATTEMPTS
 from grading.names import Student, attempt_of, student_of, unseen_removed, unseen_shown
 from manifest import Exercise, all_exercises
 from marker import is_stub
@@ -18,7 +19,6 @@ _MOST_CANDIDATES = 20  # for one exercise
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
 _COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?|[-_ ](?:final|v)\d*)$"
                    r"|^(?:copy of|kopie von) ")
-ATTEMPTS = ("last", "first", "best")  # of several on a platform, the one that counts
 # Words of notes about what an instructor should look at.
 A_GUESS, NOTHING_FOUND, NOT_TAKEN = ", a guess", "no file of an exercise was found in", "not an exercise's file, so not taken"
 _ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")

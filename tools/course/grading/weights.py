@@ -14,10 +14,9 @@ from pathlib import Path
 
 from errors import BadInput, CourseError
 from manifest import Exercise, all_exercises
-from paths import ROOT, shown
+from paths import shown
 from pick import near
 
-TABLE = ROOT / "tests" / "weights.csv"
 COLUMNS = ("test", "points", "visibility", "hint", "title")
 VISIBILITIES = ("visible", "after_due_date", "after_published", "hidden")
 _HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])(?<![0-9]e)")
