@@ -293,7 +293,9 @@ EXERCISE_TEST(ImpactImpulse, DropsNothingSmall) {
         const Vec3 J = straight.inside(straight.stick()) ? straight.stick()
                        : straight.eased() > 0            ? straight.slide()
                                                          : straight.safe();
-        const Mat3 R = Quat::FromTwoVectors(J, leaning).toRotationMatrix();
+        const Vec3 axis = J.cross(leaning);
+        const Mat3 R =
+            Eigen::AngleAxisd(std::atan2(axis.norm(), J.dot(leaning)), axis.normalized()).toRotationMatrix();
         Impact turned = straight;
         turned.K = R * straight.K * R.transpose(), turned.u = R * straight.u, turned.n = R * straight.n;
         given() = turned.text();

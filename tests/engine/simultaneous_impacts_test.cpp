@@ -128,7 +128,8 @@ TEST(SimultaneousImpacts, ABallThatHitsTwoAtOnceLeavesStraight) {
 TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
   constexpr unsigned seed = 71;
   testing::Random random(seed);
-  for (int trial = 0; trial < 300; ++trial) {
+  int tried = 0;
+  for (int trial = 0; trial < 400; ++trial) {
     // A body on a fixed one, and a third body above. Normals are anything upwards.
     Motion<6> motion;
     motion.inverse_mass = {
@@ -145,7 +146,8 @@ TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
     std::vector<double> before;
     const double e = trial % 4 < 2 ? 1 : random.uniform(0, 1);
     const double mu = trial % 2 == 0 ? 0 : random.uniform(0, 1);
-    while (contacts.size() < 4) {
+    // Where bodies separate fast, hardly any contact approaches: others are tried then.
+    for (int draw = 0; draw < 100 && contacts.size() < 4; ++draw) {
       const int i = contacts.size() % 2 == 0 ? 0 : 1;
       const Vec3 r_i = random.vector(), r_j = random.vector(),
                  n = (Vec3::UnitZ() + 0.5 * random.vector()).normalized();
@@ -155,6 +157,8 @@ TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
       laws.push_back({.restitution = e, .friction = mu});
       before.push_back(separation_speed(contact, motion));
     }
+    if (contacts.size() < 4) continue;
+    ++tried;
     const auto energy = [&] {
       double sum = 0;
       for (const int b : {1, 2}) {
@@ -176,6 +180,7 @@ TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
       EXPECT_GE(separation_speed(contacts[c], motion), -e * before[c] - 1e-9)
           << "trial " << trial << ", seed " << seed;
   }
+  EXPECT_GE(tried, 250);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@ namespace spook::testing {
 /// Returns x of A x = b, for a regular square matrix A.
 Eigen::VectorXd solution_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
+/// Returns |A⁻¹|, the root of the sum of its squares, for a regular square matrix A.
+double norm_of_inverse(const Eigen::MatrixXd& A);
+
 /// Returns the eigenvalues of a symmetric matrix, the smallest first.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 

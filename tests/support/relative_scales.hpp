@@ -2,6 +2,8 @@
 // Inputs of widely different magnitudes. A relative threshold, such as `if (x < 1e-6 * y)`, does not depend on units,
 // but is no better than `if (x < 1e-9)`: the dropped part may be the only one that changes, step after step. So tests
 // combine large and small numbers, down to round-off.
+#include <gtest/gtest.h>
+
 #include <array>
 #include <string>
 

@@ -107,7 +107,9 @@ EXERCISE_TEST(ContactImpulse, PushesAndNeverPulls) {
 EXERCISE_TEST(StepTouching, IsAStepOfOneRow) {
   Random random;
   for (int k = 0; k < 10; ++k) {
-    auto [all, contacts] = crowd(random, 4, 1);
+    auto drawn = crowd(random, 4, 1);
+    auto& all = drawn.all;
+    auto& contacts = drawn.contacts;
     contacts.resize(1);
     if (k % 3 == 0) contacts[0].gap = random.uniform(0, 0.02);
     const double h = random.uniform(0.05, 0.1);

@@ -1,4 +1,5 @@
 // Beyond chapter 04's own tests: exchanged bodies, impulses that add up, elimination, bounds of every kind.
+#include "algebra.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
 #include "stages.hpp"
@@ -86,7 +87,7 @@ EXERCISE_TEST(UpdateRow, LeavesItsOwnRowSolved) {
 
 EXERCISE_TEST(Residual, VanishesWhereEliminationEnds) {
   Tangle t(4, 8);
-  const Eigen::VectorXd lambda = dense_S(t.rows).ldlt().solve(gathered(t.rows, &Row<6>::B));
+  const Eigen::VectorXd lambda = solution_of(dense_S(t.rows), gathered(t.rows, &Row<6>::B));
   for (std::size_t k = 0; k < t.rows.size(); ++k) {
     Row<6>& row = t.rows[k];
     row.lambda = lambda[static_cast<Eigen::Index>(k)];
@@ -102,7 +103,7 @@ EXERCISE_TEST(Residual, VanishesWhereEliminationEnds) {
 EXERCISE_TEST(Solve, AgreesWithElimination) {
   Tangle t(4, 8);
   const Eigen::MatrixXd S = dense_S(t.rows);
-  const Eigen::VectorXd expected = S.ldlt().solve(gathered(t.rows, &Row<6>::B));
+  const Eigen::VectorXd expected = solution_of(S, gathered(t.rows, &Row<6>::B));
   const double tolerance = 1e-12;
   const SolveReport report = solve(t.rows, t.V, {.max_sweeps = 100000, .tolerance = tolerance});
   expect_true("it converges", "Eq. (4.9)", report.converged);
@@ -255,7 +256,9 @@ EXERCISE_TEST(Solve, GoesOnFromWhereItIs) {
 
 EXERCISE_TEST(StepContacts, IsAStepOfAllRows) {
   Random random;
-  auto [all, contacts] = crowd(random, 20, 60);
+  auto drawn = crowd(random, 20, 60);
+  auto& all = drawn.all;
+  auto& contacts = drawn.contacts;
   open_every_third(contacts);
   all.max_sweeps = 7;
   const double h = random.uniform(0.05, 0.1);

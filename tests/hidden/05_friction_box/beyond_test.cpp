@@ -154,7 +154,9 @@ EXERCISE_TEST(FrictionImpulse, IsEachTangentsOwn) {
 
 EXERCISE_TEST(StepFriction, IsAStepOfAllRows) {
   Random random;
-  auto [all, contacts] = crowd(random, 20, 60);
+  auto drawn = crowd(random, 20, 60);
+  auto& all = drawn.all;
+  auto& contacts = drawn.contacts;
   open_every_third(contacts);
   all.mu = random.uniform(0.2, 0.8);
   all.viscosity = random.log_uniform(100, 1e4);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "10_convergence/convergence.hpp"
+#include "algebra.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
 #include "stop_rule.hpp"
@@ -106,7 +107,7 @@ EXERCISE_TEST(ConjugateSolve, AgreesWithElimination) {
   }
   std::vector<Twist<6>> V(5, Twist<6>::Zero());
   const Eigen::MatrixXd S = dense_S(rows);
-  const Eigen::VectorXd expected = S.ldlt().solve(gathered(rows, &Row<6>::B));
+  const Eigen::VectorXd expected = solution_of(S, gathered(rows, &Row<6>::B));
   conjugate_solve(rows, V, {.max_sweeps = 200, .tolerance = 1e-12});
   // No eigenvalue of S is below Σ = 0.5, and no residual is above n S/min(S_kk) times the tolerance.
   expect_near_vector(

@@ -1,5 +1,6 @@
 // Beyond chapter 11's own tests: one system, by every function of the chapter, against dense elimination and properties.
 #include "11_direct/direct.hpp"
+#include "algebra.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
 
@@ -48,7 +49,7 @@ struct Wired {
     V.assign(8, Twist<6>::Zero());
   }
 
-  Eigen::VectorXd eliminated() const { return dense_S(rows).ldlt().solve(gathered(rows, &Row<6>::B)); }
+  Eigen::VectorXd eliminated() const { return solution_of(dense_S(rows), gathered(rows, &Row<6>::B)); }
 };
 
 EXERCISE_TEST(SchurComplement, IsTheMatrixOfAnyScene) {
