@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import hashlib
+import importlib.util
 import io
 import json
 import math
@@ -502,6 +503,30 @@ class Runs(unittest.TestCase):
         self.assertRegex(said, r"\n3 +lost")
         self.assertRegex(said, r"\nh = 3: .*finite")
 
+    @unittest.skipIf(importlib.util.find_spec("pyarrow"), "pyarrow is installed")
+    def test_parquet_without_what_writes_it(self):
+        self.box.assert_refused(self, ["run", "orbit", "--sweep", "h=0.1,0.2", "--csv", "a.parquet"],
+                                ["a.parquet", "pyarrow", "ends in .csv"])
+
+    def test_parquet_has_the_columns_of_csv(self):
+        """By a pyarrow that writes what it is given."""
+        with tempfile.TemporaryDirectory() as folder:
+            package = Path(folder, "pyarrow")
+            package.mkdir()
+            (package / "__init__.py").write_text("def table(columns):\n    return columns\n")
+            (package / "parquet.py").write_text("import json\n\n\ndef write_table(table, file):\n"
+                                                "    with open(file, 'w') as out:\n        json.dump(table, out)\n")
+            call = ["run", "orbit", "--time", "0.5", "--sweep", "h=1/10,1/20", "warm_start=true,false"]
+            for name in ("a.parquet", "a.csv"):
+                done = self.box.course(*call, "--csv", name, PYTHONPATH=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+        columns = json.loads((self.box.root / "a.parquet").read_text())
+        rows = list(csv.DictReader(io.StringIO((self.box.root / "a.csv").read_text())))
+        self.assertEqual(list(columns), list(rows[0]))
+        self.assertEqual(columns["h"], [0.1, 0.1, 0.05, 0.05])
+        self.assertEqual(columns["warm_start"], [row["warm_start"] for row in rows])
+        self.assertEqual(columns["error"], [float(row["error"]) for row in rows])
+
     def test_what_makes_no_sense(self):
         for words, told in ((["orbit", "--plot", "enrgy"], ["'enrgy'", "the columns are x, y, energy, angular momentum"]),
                             (["orbit", "--plot"], ["--plot needs a value"]), (["orbit", "--plot", "x,"], ["'x,'"]),
@@ -515,6 +540,7 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "hh=0.1,1"], ["hh"]),
                             (["stack", "--sweep", "warm_start=1,2"], ["'2'"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--csv", "no/a.csv"], ["no/a.csv", "written"]),
+                            (["orbit", "--csv", "a.parquet"], ["a.parquet", "--sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "h=1,2"], ["h is swept twice"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
                             (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),

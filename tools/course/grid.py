@@ -182,3 +182,16 @@ def write_csv(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
         if rows:
             lines.writerow(rows[0])
         lines.writerows(["" if value is None else value for value in row.values()] for row in rows)
+
+
+def write_parquet(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Writes a column for each name. Raises OSError; ImportError without the package pyarrow."""
+    import pyarrow
+    from pyarrow import parquet
+
+    columns = {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
+    # What was swept is text, which may be a choice: numbers only if all are.
+    for name, values in columns.items():
+        if all(isinstance(value, str) and number(value) is not None for value in values):
+            columns[name] = [number(value) for value in values]
+    parquet.write_table(pyarrow.table(columns), file)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import crash
 from engine import RELEASE, parameters_of, program
-from errors import CourseError
+from errors import BadInput, CourseError
 from extras import HELP, taken
 from manifest import Exercise
 from mine import CALLS, begun, checked_program, told
@@ -28,6 +28,8 @@ def run(arguments: list[str]) -> int:
         print(HELP, end="")
         return code
     csv = value_of("--csv", words)
+    if csv and csv.endswith(".parquet") and not extras.sweep:
+        raise BadInput(f'run: csv "{csv}": Parquet is for the table of a --sweep; the steps of one run are CSV')
     if not (extras.mine or extras.plot or extras.sweep or csv):
         return _become(["run", *words])
     mine, called = begun() if extras.mine else [], Called()

@@ -1,6 +1,7 @@
 """./course run --plot and --sweep: one run or several, as a table and as a figure."""
 
 import csv
+import importlib.util
 import json
 import os
 import subprocess
@@ -13,7 +14,7 @@ from beside import with_changed, without
 from curves import Table, draw, matching
 from errors import BadInput
 from extras import Extras
-from grid import combinations, impossible_value, number, same, write_csv
+from grid import combinations, impossible_value, number, same, write_csv, write_parquet
 from paths import BUILD, ROOT, shown
 from slurm import run_array
 from sweep import Result, Sweep, as_json, as_text, result_of
@@ -57,6 +58,7 @@ class Runs:
         if csv is not None:
             _require_writable(csv)
             _require_other(csv, self._words[0])
+            _require_format(csv)
         if self._extras.merge:
             return self._merged(csv)
         plain = without([word for word in self._words if word != "--json"], "--csv")
@@ -75,7 +77,7 @@ class Runs:
         results, tables, worst = self._results(asked, folder)
         sweep = Sweep(axes, results, skipped, f"{index}/{count}" if count > 1 else "")
         if csv is not None:
-            write_csv(csv, sweep.table())
+            _write(csv, sweep.table())
         print((as_json if "--json" in self._words else as_text)(sweep))
         if tables:
             self._draw(tables)
@@ -95,7 +97,7 @@ class Runs:
             raise BadInput("run: --merge: the tables have no run of this sweep")
         sweep = Sweep(self._extras.sweep, results, missing)
         if csv is not None:
-            write_csv(csv, sweep.table())
+            _write(csv, sweep.table())
         print((as_json if "--json" in self._words else as_text)(sweep))
         return 0
 
@@ -209,6 +211,21 @@ def _require_other(csv: str, scene: str) -> None:
     """Refuses to replace the scene's file by the table."""
     if Path(csv).exists() and Path(scene).exists() and Path(csv).samefile(scene):
         raise BadInput(f'run: --csv must be another file than the scene, but is "{csv}"')
+
+
+def _is_parquet(file: str) -> bool:
+    return file.endswith(".parquet")
+
+
+def _require_format(file: str) -> None:
+    """Refuses a Parquet file before time is spent on runs, if nothing can write it."""
+    if _is_parquet(file) and importlib.util.find_spec("pyarrow") is None:
+        raise BadInput(f'run: csv "{file}" needs the Python package pyarrow; pip install pyarrow, or give a name that '
+                       "ends in .csv")
+
+
+def _write(file: str, rows: list[dict]) -> None:
+    (write_parquet if _is_parquet(file) else write_csv)(file, rows)
 
 
 def value_of(option: str, words: list[str]) -> str | None:

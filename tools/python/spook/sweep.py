@@ -83,6 +83,10 @@ class Table:
         """Writes a line of column names and a line for each row. Raises OSError."""
         grid.write_csv(file, self.rows)
 
+    def to_parquet(self, file: str | os.PathLike) -> None:
+        """Writes a column for each name. Raises OSError; ImportError without the package pyarrow."""
+        grid.write_parquet(file, self.rows)
+
     def __repr__(self) -> str:
         lines = self._lines()
         widths = [max(map(len, column)) for column in zip(*lines)]
