@@ -4,8 +4,8 @@
 // q = (w, x, y, z), |q| = 1, turns body coordinates into world coordinates. ω is in world coordinates.
 //
 //   rate            q' = ½ ω q,  with ω as the quaternion (0, ω)                      Eq. (2.3)    notes (38), (39)
-//   first order     q_{k+1} = normalise(q_k + (h/2) ω_{k+1} q_k)                      Eq. (2.4)    notes (38)
-//   exponential     q_{k+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_k,  θ = h |ω|               Eq. (2.6)    not in the notes
+//   first order     q_{n+1} = normalise(q_n + (h/2) ω_{n+1} q_n)                      Eq. (2.4)    notes (38)
+//   exponential     q_{n+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_n,  θ = h |ω|               Eq. (2.6)    not in the notes
 //   inertia         I_world = R(q) diag(I1, I2, I3) R(q)ᵀ                             Eq. (2.7)    notes, under (7)
 //   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
 //   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c           Eq. (2.10), (2.11)     not in the notes
