@@ -42,4 +42,4 @@ def program_of_pages(target: str = "spook_live") -> Path:
 
 
 def _how_long() -> str:
-    return "" if (RELEASE.path / "solutions" / "libspook_scenes.a").exists() else " (a minute or so, the first time)"
+    return "" if (RELEASE.path / "solutions" / "libspook_scenes.a").exists() else " (some minutes, the first time)"

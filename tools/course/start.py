@@ -35,8 +35,10 @@ def _build_tests() -> None:
     begun = [chapter for chapter in chapters if any(exercise.started() for exercise in chapter.exercises)]
     ahead = [chapter for chapter in chapters if not all(exercise.started() for exercise in chapter.exercises)][:1]
     tests = sorted({f"tests_{chapter.folder}" for chapter in begun + ahead})
+    archive = CHECK.path / "solutions" / "libspook_reference.a"
+    how_long = "" if archive.exists() else " (two minutes or so, the first time)"
     built = CHECK.build(["spook_reference", "test_support", *tests],
-                        "building what your exercises are tested with")
+                        f"building what your exercises are tested with{how_long}")
     if not built.ok:
         raise CHECK.own_failure(built)
 
