@@ -96,7 +96,9 @@ def impulse_of_a_contact(draw: Draw):
     gap = f"the overlap is {deep} mm, counted positive," if overlap else f"the gap is −{deep} mm"
     return (f"A ball of {m} kg touches the floor: {gap} and its centre moves {'up' if rate >= 0 else 'down'} at {v} m/s. "
             f"g = 9.81 m/s², h = {h} s, k = {k:g} N/m, d = {d}. Which impulse does the contact give? What is the purpose "
-            "of each term?", said(impulse, "N s"))
+            "of each term?",
+            f"{said(impulse, 'N s')}. a g moves the overlap out, b u damps the approach, h g₀ carries the weight, and Σ "
+            "makes the contact a spring of stiffness k.")
 
 
 @asks(3, 2, "3.1")
@@ -104,7 +106,7 @@ def stiffness_of_a_depth(draw: Draw):
     m, deep = draw.of(2, 5, 50, 400), draw.of(0.1, 0.5, 2)
     return (f"A body of {m} kg has to rest {deep} mm deep in the floor, on one contact, with g = 9.81 m/s². Which k is "
             "that? How does the depth change with half the step, and with twice the d?",
-            f"{said(m * 9.81 / deep * 1000, 'N/m')}; nothing")
+            f"{said(m * 9.81 / deep * 1000, 'N/m')}; it stays the same in both cases")
 
 
 @asks(3, 3, "3.3")
