@@ -1,11 +1,13 @@
 """Parts of the course command that can be tested alone."""
 
 import contextlib
+import fcntl
 import io
 import re
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
@@ -409,6 +411,23 @@ class Installing(unittest.TestCase):
                              Need("old", "command", "old", "3.10")), yes=True)
         self.assertEqual(str(caught.exception), "cmake 3.9.9 was found, and the course needs 3.22 or newer; "
                                                 "old 3.9.9 was found, and the course needs 3.10 or newer")
+
+
+class BusyTree(unittest.TestCase):
+    def test_a_wait_for_another_build_is_told(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            busy = tree.Tree("check")
+            busy.path = Path(folder)
+            with open(busy.path / "course.lock", "w") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX)
+                timer = threading.Timer(0.2, fcntl.flock, (lock, fcntl.LOCK_UN))
+                timer.start()
+                with busy._alone():
+                    timer.join()
+            self.assertRegex(said.getvalue(), r"^waiting for another \./course command that builds in .*\n$")
+            with busy._alone():
+                pass
+            self.assertEqual(said.getvalue().count("waiting"), 1)
 
 
 class MovedTree(unittest.TestCase):

@@ -121,5 +121,10 @@ class Tree:
         """Locks the tree, since two ninjas in one tree conflict: `watch` in one window, `check` in another."""
         self.path.mkdir(parents=True, exist_ok=True)
         with open(self.path / "course.lock", "w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                print(f"waiting for another ./course command that builds in {shown(self.path)} ...", file=sys.stderr,
+                      flush=True)
+                fcntl.flock(lock, fcntl.LOCK_EX)
             yield
