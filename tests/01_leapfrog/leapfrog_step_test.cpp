@@ -36,7 +36,7 @@ EXERCISE_TEST(HalfStepStart, GivesOrderTwoOnAnOrbit) {
     start_half_step_back(p, sun, h);
     const int steps = static_cast<int>(std::lround(period / 2 / h));
     for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
-    // After a whole period an orbit that is turned a little comes back to the same place, too.
+    // A whole period would hide a wrong start: it leaves the energy, and with it the period, nearly as it was.
     return (p.x[0] - Vec3(-1 - eccentricity, 0, 0)).norm();
   };
   expect_order("Kepler orbit, distance from the far end after half a period [m]", "Eq. (1.5), (1.10)", error,

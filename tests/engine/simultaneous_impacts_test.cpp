@@ -146,7 +146,7 @@ TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
     std::vector<double> before;
     const double e = trial % 4 < 2 ? 1 : random.uniform(0, 1);
     const double mu = trial % 2 == 0 ? 0 : random.uniform(0, 1);
-    // Where bodies separate fast, hardly any contact approaches: others are tried then.
+    // Hardly any contact approaches where the bodies separate fast. Then the next trial draws other velocities.
     for (int draw = 0; draw < 100 && contacts.size() < 4; ++draw) {
       const int i = contacts.size() % 2 == 0 ? 0 : 1;
       const Vec3 r_i = random.vector(), r_j = random.vector(),

@@ -22,7 +22,7 @@ VectorXd eigenvalues(const MatrixXd& symmetric) {
 }
 
 double spectral_radius(const MatrixXd& A) {
-  // ρ is the limit of |A^n|^(1/n). By squares n grows fast: a factor that |A^n| has beside ρ^n is gone after forty.
+  // ρ is the limit of |A^n|^(1/n). Each square doubles n. At n = 2^40 a factor beside ρ^n no longer matters.
   MatrixXd power = A;
   double logarithm = 0, n = 1;
   for (int squares = 0; squares <= 40; ++squares, n *= 2) {

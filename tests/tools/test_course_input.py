@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+import sys
 import unittest
 
 from sandbox import Sandbox, all_exercises
@@ -65,6 +66,21 @@ class CourseInput(unittest.TestCase):
     def test_bad_input_is_one_line_that_names_it_and_exit_code_2(self):
         for words, *told in BAD_INPUT:
             self.box.assert_refused(self, words, told)
+
+    def test_python_writes_what_it_compiles_beside_no_source(self):
+        before = set((self.box.root / "tools").rglob("*.pyc"))
+        self.assertEqual(self.box.course("--version", PYTHONDONTWRITEBYTECODE="1").returncode, 0)
+        self.assertEqual(set((self.box.root / "tools").rglob("*.pyc")), before)
+        self.assertTrue(list((self.box.root / ".course" / "bytecode").rglob("version.*.pyc")))
+
+    def test_a_command_imports_no_other(self):
+        done = subprocess.run([sys.executable, "-X", "importtime", str(self.box.root / "tools" / "course"), "--version"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        imported = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+        self.assertIn("arguments", imported)
+        # Others would import these files.
+        self.assertEqual(imported & {"binding.site", "grading.judge", "mutants", "runs", "verdict"}, set())
 
     def test_a_fresh_board_is_honest(self):
         result = self.box.course()

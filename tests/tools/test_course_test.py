@@ -74,7 +74,10 @@ class Sets(unittest.TestCase):
                 words = [Path(word) for word in test.get("command", [])]
                 programs = [word for word in words if word.is_relative_to(CHECK.path) and not word.is_dir()]
                 for script in (word for word in words if word.suffix == ".py"):
-                    opened = re.findall(r'"check", "solutions", "(\w+)"', script.read_text(encoding="utf-8"))
+                    text = script.read_text(encoding="utf-8")
+                    for program in re.findall(r'"release", "solutions", "(\w+)"', text):
+                        self.assertIn(program, everything._IN_RELEASE, script)
+                    opened = re.findall(r'"check", "solutions", "(\w+)"', text)
                     programs += [CHECK.path / "solutions" / program for program in opened]
                 if label != "fast":
                     programs = [CHECK.path / "tests" / f"mutants_{name.split('.')[1]}"]

@@ -32,7 +32,7 @@ def filled_in(text: str, settings: dict) -> str:
 
 
 def ninja_makes(what: str) -> bool:
-    """Tells whether a debugger's tree would have it: that holds what two others share."""
+    """Tells whether build/debug would have the target. It has those of both other trees."""
     return any(subprocess.run(["ninja", "-C", str(Tree(preset).path), "-t", "query", what],
                               capture_output=True).returncode == 0 for preset in ("check", "release"))
 

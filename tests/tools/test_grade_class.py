@@ -35,7 +35,7 @@ def answers(function: str) -> dict[str, tuple[str | None, str]]:
         "hogs": (beginning_with("throw std::bad_alloc();", function, "new"), "out of memory"),
         "forks": (beginning_with("fork();", function, "unistd.h"), "tampered: calls fork()"),
     }
-    if function != FUNCTIONS[0]:  # what stops an answer does so whatever it answers
+    if function != FUNCTIONS[0]:  # the other kinds end alike for every function
         return {kind: found[kind] for kind in ("right", "right in folds", "missing", "stub", "throws")}
     # Each of its tests takes the whole time limit.
     found["loops"] = (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out: looped")

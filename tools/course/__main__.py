@@ -9,7 +9,7 @@ import terminal
 from arguments import parse
 from errors import CourseError
 
-# Where each command's function is. Only the file of the one that is called is read.
+# The file and the function of each command. Only the file of the called command is imported.
 COMMANDS = {"progress": "board.progress", "check": "check.check", "watch": "watch.watch", "plot": "plot.plot",
             "hint": "hint.hint", "solution": "solution.solution", "reset": "reset.reset", "start": "start.start",
             "test": "everything.test", "grade": "grading.grade.grade", "export": "exporting.export.export",

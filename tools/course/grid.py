@@ -190,7 +190,7 @@ def write_parquet(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
     from pyarrow import parquet
 
     columns = {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
-    # What was swept is text, which may be a choice: numbers only if all are.
+    # Swept values are text. A column becomes numbers if all of its values are numbers.
     for name, values in columns.items():
         if all(isinstance(value, str) and number(value) is not None for value in values):
             columns[name] = [number(value) for value in values]

@@ -57,23 +57,21 @@ def signed(line: str, mine: list[Exercise]) -> str:
 
 
 def checked_program(mine: list[Exercise]) -> Path:
-    """Builds the program spook_mine from the objects that `check` tests, and the reference that it tests them with. After
-    a check it only needs linking.
+    """Builds the program spook_mine from the objects that `check` tests. After a check it only needs linking.
 
-    These functions have their checks on, and are slower for that.
+    All chapters' functions have their checks on, and are slower for that.
     """
-    _compile(CHECK, mine, ["spook_reference"])
+    _compile(CHECK, mine)
+    _compile_the_rest()
     _set(RELEASE, "SPOOK_MINE_OBJECTS", [str(object_file(CHECK, exercise)) for exercise in mine])
     return _complete(program("spook_mine"), CHECK, mine)
 
 
 def fast_program(target: str, mine: list[Exercise]) -> Path:
-    """The target, with the student's functions at full speed. What is the reference's has its checks on, as above."""
+    """Builds the target with the student's functions at full speed. All other chapters' functions have their checks on."""
     _set(RELEASE, "SPOOK_MINE", [exercise.function for exercise in mine])
     _compile(RELEASE, mine)
-    built = CHECK.build(["spook_reference"], "building the other functions")
-    if not built.ok:
-        raise CHECK.own_failure(built)
+    _compile_the_rest()
     return _complete(program(target), RELEASE, mine)
 
 
@@ -88,12 +86,18 @@ def program_of_own_pages(mine: list[Exercise]) -> Path:
     return program_of_pages("spook_live_mine")
 
 
-def _compile(tree: Tree, mine: list[Exercise], others: list[str] | None = None) -> None:
+def _compile_the_rest() -> None:
+    """Builds the archive from which a linker takes the functions that the student lacks."""
+    built = CHECK.build(["spook_reference"], "building the other functions")
+    if not built.ok:
+        raise CHECK.own_failure(built)
+
+
+def _compile(tree: Tree, mine: list[Exercise]) -> None:
     for exercise in mine:
         refuse_odd(exercise.file)
         drop_if_stale(tree, exercise)
-    targets = [f"exercise_{exercise.function}" for exercise in mine] + (others or [])
-    built = tree.build(targets, "building your functions", keep_going=True)
+    built = tree.build([f"exercise_{exercise.function}" for exercise in mine], "building your functions", keep_going=True)
     for exercise in mine:
         if tree.failed(built, f"exercise_{exercise.function}"):
             raise CourseError(f"{exercise.label} does not compile: "

@@ -15,7 +15,7 @@ from manifest import Exercise
 from mine import CALLS, begun, checked_program, told
 from paths import shown
 from provenance import write_manifest
-from runs import Runs, value_of
+from runs import Runs, is_parquet, value_of
 from terminal import fold
 
 _CHECKS = "Their checks are on, as in ./course check, so they run below full speed."
@@ -28,7 +28,7 @@ def run(arguments: list[str]) -> int:
         print(HELP, end="")
         return code
     csv = value_of("--csv", words)
-    if csv and csv.endswith(".parquet") and not extras.sweep:
+    if csv and is_parquet(csv) and not extras.sweep:
         raise BadInput(f'run: csv "{csv}": Parquet is for the table of a --sweep; the steps of one run are CSV')
     if not (extras.mine or extras.plot or extras.sweep or csv):
         return _become(["run", *words])

@@ -213,19 +213,19 @@ def _require_other(csv: str, scene: str) -> None:
         raise BadInput(f'run: --csv must be another file than the scene, but is "{csv}"')
 
 
-def _is_parquet(file: str) -> bool:
+def is_parquet(file: str) -> bool:
     return file.endswith(".parquet")
 
 
 def _require_format(file: str) -> None:
     """Refuses a Parquet file before time is spent on runs, if nothing can write it."""
-    if _is_parquet(file) and importlib.util.find_spec("pyarrow") is None:
+    if is_parquet(file) and importlib.util.find_spec("pyarrow") is None:
         raise BadInput(f'run: csv "{file}" needs the Python package pyarrow; pip install pyarrow, or give a name that '
                        "ends in .csv")
 
 
 def _write(file: str, rows: list[dict]) -> None:
-    (write_parquet if _is_parquet(file) else write_csv)(file, rows)
+    (write_parquet if is_parquet(file) else write_csv)(file, rows)
 
 
 def value_of(option: str, words: list[str]) -> str | None:

@@ -29,7 +29,7 @@ def jobs() -> int:
     return int(given) if given.isdecimal() and int(given) > 0 else processors()
 
 
-# A tree that links what others have compiled: CMake reads there what it is.
+# Trees that link what others have compiled, and those others. CMake needs them configured first.
 _LINKS = {"check": ["release"], "sanitize": ["release", "check"]}
 
 

@@ -1,4 +1,4 @@
-"""What one may choose when grading: in a file of its own, since every command reads the options of all."""
+"""The choices of the grading options. Every command parses the options of all, so this file imports little."""
 
 from paths import ROOT
 
