@@ -32,9 +32,12 @@ def git(folder: Path, *words: str) -> str:
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:
-    """Returns all files but git's own."""
+    """Returns all files but git's own, and but Python's bytecode, which every command may write."""
+    def counts(name: Path) -> bool:
+        return ".git" not in name.parts and not name.is_relative_to(".course/bytecode")
+
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*"))
-            if path.is_file() and ".git" not in path.relative_to(folder).parts}
+            if path.is_file() and counts(path.relative_to(folder))}
 
 
 def write(folder: Path, name: str, text: str) -> None:
