@@ -92,9 +92,9 @@ struct Settings {
   /// Starts rows with the impulses of the last step. This is stable if a solve removes more than the fraction 1/(1 + d)
   /// of the residual, Eq. (10.12).
   bool warm_start = false;
-  /// Largest gap of a contact [m]: within it a slightly open contact keeps its row and its impulse. Default: the
-  /// distance that a body falls from rest in a step, |gravity| h², or a hundredth of the smallest shape's size if that
-  /// is less. In both cases 1e-9 of that size is added, so that round-off cannot drop a touching contact.
+  /// Largest gap of a contact [m]: within it a slightly open contact keeps its row and its impulse. Default: |gravity|
+  /// h², or a hundredth of the smallest shape's size if that is less. In both cases 1e-9 of that size is added, so that
+  /// round-off cannot drop a touching contact.
   std::optional<double> contact_margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< update rule for orientations
   /// Order of the integrator: 2 is leapfrog; 4 is composed of five leapfrogs, engine/integration/rattle.hpp. At order 4
