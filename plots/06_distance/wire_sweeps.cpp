@@ -112,7 +112,7 @@ Experiment experiment(Size size) {
     for (const int links : {10, 20, 40})
       worst = std::max(worst, std::abs(rate(links, 1) / predicted(links) - 1));
     claims.at_most(
-        "in a wire of equal points the error shrinks by cos²(π/(2N)) in a sweep, to 1 per cent of its "
+        "in a wire of N equal links each sweep multiplies the error by cos²(π/(2N)), to 1 per cent of its "
         "logarithm",
         worst, 0.01);
     claims.near("twice the links take four times the sweeps: 4.0 ± 0.1 from 20 to 40",
@@ -124,8 +124,10 @@ Experiment experiment(Size size) {
         log_log_slope({20, 200}, {rubber.where("sweeps", 20).number("value"),
                                   rubber.where("sweeps", 200).number("value")}),
         -1, 0.1);
-    claims.near("a load of 100:1 on ten links has the rate m/((N-1) M) of Eq. (6.12), to 5 per cent",
-                rate(10, 100) * 9 * 100, 1, 0.05);
+    claims.near(
+        "with a load of 100:1 on ten links each sweep takes the part m/((N-1) M) from the error, Eq. (6.12), "
+        "to 5 per cent",
+        rate(10, 100) * 9 * 100, 1, 0.05);
   };
   return e;
 }

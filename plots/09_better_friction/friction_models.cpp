@@ -192,7 +192,7 @@ Experiment experiment(Size size) {
         all("push", {Model::cone, Model::sliding_box}), 1e-9);
     claims.at_most("with both a block stops after v0²/(2μg) in every direction, to 1e-4",
                    all("distance", {Model::cone, Model::sliding_box}), 1e-4);
-    claims.at_most("two passes have the box's corners, Eq. (5.12), to 1e-9",
+    claims.at_most("two passes have the strength of the box, Eq. (5.12), to 1e-9",
                    all("push", {Model::box, Model::two_pass}), 1e-9);
     claims.at_most("a stack stays on a slope from μ = tan θ on with two passes and with the cone, to 1e-6",
                    all("stack", {Model::two_pass, Model::cone}), 1e-6);

@@ -179,8 +179,8 @@ void check(const Table& table, Claims& claims) {
     split = std::min(split, least_error(table, scene, "splitting"));
   }
   claims.at_most(
-      "block descent (AVBD) solves loads of 1000:1 to 1e-6 for the cost of at most 3000 sweeps, at which "
-      "sweeps fail",
+      "block descent (AVBD) solves loads of 1000:1, at which sweeps fail, to 1e-6 for the cost of at most "
+      "3000 sweeps",
       dearest, 3000);
   claims.at_least("that is more than 10 times the cost of mixed sweeps", dearer, 10);
   claims.at_least("operator splitting (ADMM) leaves at least a third of the error of such loads", split, 0.33);
