@@ -703,6 +703,27 @@ class Arguments(WithModule):
         self.refused("body must be an index below 2, but is 7", world.place, 7, x=(0, 0, 0))
 
 
+class SoftSteps(WithModule):
+    def tower(self, **settings):
+        world = spook.World(friction=0.5, **settings)
+        world.add_plane()
+        for k in range(5):
+            world.add(x=(0, 0, 0.1 + 0.2 * k), half_sides=(0.1, 0.1, 0.1))
+        world.step(1 / 60, steps=60)
+        return world
+
+    def test_a_tower_stands(self):
+        soft = self.tower(soft_steps=4)
+        self.assertEqual(soft.state, "sound", soft.reason)
+        np.testing.assert_allclose(soft.x[1:], self.tower().x[1:], atol=0.01 * 0.2)
+        self.assertGreater(np.abs(soft.x - self.tower(soft_steps=16).x).max(), 0)
+
+    def test_without_a_k(self):
+        self.refused("k must be left out with soft_steps, whose springs follow from frequencies, but is 1000",
+                     spook.World, k=1000, soft_steps=4)
+        self.refused("soft_steps must be from 1 to 1024, but is 0", spook.PointWorld, soft_steps=0)
+
+
 class SavedWorlds(WithModule):
     def test_a_restored_world_goes_on_with_the_same_bits(self):
         world = spook.World(friction=0.5, warm_start=True, solver="gauss_seidel", iterations=5)

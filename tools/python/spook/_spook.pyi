@@ -140,7 +140,8 @@ class PointWorld(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, max_parts: int = 32, threads: int = 1, check: bool = True) -> None:
+                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None, threads: int = 1,
+                 check: bool = True) -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
@@ -150,8 +151,10 @@ class PointWorld(_EitherWorld):
         threshold [m/s]. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4. max_parts is the
-        largest number of parts of a step, a power of two. check tests after each step that the run is sound,
-        for state, reason and the warning; this costs about as much as a sweep."""
+        largest number of parts of a step, a power of two. soft_steps is a number of substeps: the method of
+        game engines, fast and accurate to a per cent or so, without k, d, solver, warm_start and max_parts.
+        check tests after each step that the run is sound, for state, reason and the warning; this costs about
+        as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
         """Adds a static body: a sphere, if it has a radius [m], else a point. Raises BufferError as add."""
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0) -> int:
@@ -178,8 +181,8 @@ class World(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, max_parts: int = 32, threads: int = 1, check: bool = True,
-                 rotation: str = "splitting") -> None:
+                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None, threads: int = 1,
+                 check: bool = True, rotation: str = "splitting") -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
@@ -190,8 +193,10 @@ class World(_EitherWorld):
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4, and rotation
         "splitting", "exponential" or "first_order". max_parts is the largest number of parts of a step, a power
-        of two: steps are divided if bodies on joints rotate fast or carry heavy loads. check tests after each
-        step that the run is sound, for state, reason and the warning; this costs about as much as a sweep."""
+        of two: steps are divided if bodies on joints rotate fast or carry heavy loads. soft_steps is a number of
+        substeps: the method of game engines, fast and accurate to a per cent or so, without k, d, solver,
+        warm_start and max_parts. check tests after each step that the run is sound, for state, reason and the
+        warning; this costs about as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0, *, q: Sequence[float] = (1, 0, 0, 0), half_length: float = 0,
                   half_sides: Vector = ...) -> int:
         """Adds a static body: a point, a sphere of a radius, a capsule of a radius and a half_length, or a box of
