@@ -173,6 +173,116 @@ TEST(Recovery, HoldsWhatIsJoined) {
   EXPECT_NEAR(world.x(high).z(), 1.3, 1e-3);
 }
 
+/// A door of 2 m by 1 m by 0.1 m, its hinge at the edge of its long side, `beyond` its limit [rad].
+World<6> door(double beyond, double h, std::optional<double> k_turn = {}) {
+  World<6> world({.gravity = Vec3::Zero()});
+  const int frame = world.add_fixed(Vec3::Zero());
+  const Quat q(Eigen::AngleAxisd(0.5 + beyond, Vec3::UnitZ()));
+  const Vec3 arm(0.5, 0, 0);
+  const int leaf = world.add(
+      {.x = q * arm, .mass = 10, .q = q, .principal = 10.0 / 3 * Vec3(1 + 0.0025, 1 + 0.25, 0.25 + 0.0025)});
+  world.add_joint({.i = frame,
+                   .j = leaf,
+                   .p_j = -arm,
+                   .kind = JointKind::hinge,
+                   .rest = Quat::Identity(),
+                   .k_turn = k_turn,
+                   .limits = JointLimits{-0.5, 0.5}});
+  return world;
+}
+
+TEST(Recovery, TurnsAHingeBackIntoItsRangeWithoutSpeed) {
+  for (const double h : steps_to_try)
+    for (const double beyond : {1e-3, 0.3, 1.0}) {
+      World<6> world = door(beyond, h);
+      // By half a radian a second, then by the share that d sets.
+      const double steps = beyond / (0.5 * h) + std::log(1e5) / -std::log(share_left) + 2;
+      double last = 0.5 + beyond;
+      for (int n = 0; n < steps; ++n) {
+        world.step(h);
+        const double now = world.joint_position(0);
+        EXPECT_LE(now, last + 1e-9) << "h = " << h << ", step " << n;
+        EXPECT_GE(now, last - 0.5 * h - 1e-9) << "h = " << h << ", step " << n;
+        last = now;
+        // A step that turns by φ = h/2 leaves the points r φ²/2 apart. The hinge's rows close this gap with the speed
+        // a r φ²/2, where a h = 2.
+        const double closing = 0.5 * 0.25 * h;
+        EXPECT_LE(kinetic_energy(world.bodies()), 1.001 * 10.0 / 2 * closing * closing)
+            << "h = " << h << ", step " << n;
+      }
+      // Of each closing speed the part φ is along the turn, so that beyond/φ steps leave closing/r times `beyond`.
+      EXPECT_NEAR(last, 0.5, (1e-5 + 0.25 * h) * beyond) << "h = " << h << ", beyond " << beyond;
+    }
+}
+
+TEST(Recovery, ThrowsADoorWhoseLimitIsASpring) {
+  World<6> world = door(0.3, 1.0 / 240, 100);
+  double fastest = 0;
+  for (int n = 0; n < 240; ++n) {
+    world.step(1.0 / 240);
+    fastest = std::max(fastest, kinetic_energy(world.bodies()));
+  }
+  EXPECT_GE(fastest, 0.5 * 0.5 * 100 * 0.3 * 0.3);
+}
+
+TEST(Recovery, MovesASliderBackIntoItsRangeWithoutSpeed) {
+  for (const double h : steps_to_try) {
+    World<6> world({.gravity = Vec3::Zero()});
+    const int rail = world.add_fixed(Vec3::Zero());
+    const int sledge = world.add({.x = Vec3(1.5, 0, 0), .mass = 2, .principal = Vec3::Constant(0.008)});
+    world.add_joint({.i = rail,
+                     .j = sledge,
+                     .kind = JointKind::slider,
+                     .axis = Vec3::UnitX(),
+                     .rest = Quat::Identity(),
+                     .limits = JointLimits{-1, 1}});
+    const double start = world.joint_position(0);
+    for (int n = 1; n <= 10; ++n) {
+      world.step(h);
+      EXPECT_NEAR(world.joint_position(0) - 1, (start - 1) * std::pow(share_left, n), 1e-3 * (start - 1));
+      EXPECT_LE(world.v(sledge).norm() * h, 1e-3 * (start - 1)) << "step " << n;
+    }
+  }
+}
+
+template <int Dof>
+void expect_rope_without_speed(double h) {
+  World<Dof> world({.gravity = Vec3::Zero()});
+  const int nail = world.add_fixed(Vec3::Zero());
+  Body<Dof> body{.x = Vec3(0.6, 0, -0.9), .mass = 2};
+  if constexpr (Dof == 6) body.principal = Vec3::Constant(0.008);
+  const int bob = world.add(body);
+  world.add_joint({.i = nail, .j = bob, .length = 1, .kind = JointKind::rope});
+  const double start = body.x.norm() - 1;
+  for (int n = 1; n <= 10; ++n) {
+    world.step(h);
+    EXPECT_NEAR(world.x(bob).norm() - 1, start * std::pow(share_left, n), 1e-3 * start) << "step " << n;
+    EXPECT_LE(world.v(bob).norm() * h, 1e-3 * start) << "step " << n;
+  }
+}
+
+TEST(Recovery, ShortensARopeWithoutSpeed) {
+  for (const double h : steps_to_try) {
+    expect_rope_without_speed<3>(h);
+    expect_rope_without_speed<6>(h);
+  }
+}
+
+TEST(Recovery, LetsABallSwingOnARopeThatBeganTooLong) {
+  // Once the rope has its length, the ball swings by the energy of its height.
+  const double h = 1.0 / 1000;
+  World<3> world({});
+  const int nail = world.add_fixed(Vec3::Zero());
+  const int bob = world.add({.x = Vec3(1.2, 0, 0), .mass = 1});
+  world.add_joint({.i = nail, .j = bob, .length = 1, .kind = JointKind::rope});
+  double fastest = 0;
+  while (world.time() < 1) {
+    world.step(h);
+    fastest = std::max(fastest, world.v(bob).norm());
+  }
+  EXPECT_NEAR(fastest, std::sqrt(2 * g), 1e-2 * std::sqrt(2 * g));
+}
+
 TEST(Recovery, CostsNothingWhereAllRests) {
   int calls = 0;
   Settings<6> settings{.friction = 0.5};

@@ -49,10 +49,19 @@ static double reach(const Constraint<Dof>& row, double h, const Motion<Dof>& mot
   return 2 * h * (rate(motion.W) + rate(motion.Wf));
 }
 
+/// Returns the largest speed with which a limit returns its coordinate into the range [rad/s or m/s]. A hinge without a
+/// k of its own turns back slowly. In a step its bodies move straight, and the gap that a large turn leaves between them
+/// would become a speed.
+static double largest_return(const Joint& joint) {
+  return joint.kind == JointKind::hinge && joint.has_default_k_turn ? 0.5 : infinity;
+}
+
 static void add_limit_row(const Joint& joint, const Coordinate& free, double h, const Motion<6>& motion,
                           std::vector<Row<6>>& rows) {
   const double k = joint.stiffness(joint.holding_rows());
-  Constraint<6> limit = limit_constraint(free, *joint.limits, spook_parameters(h, k, *joint.limit_d), h);
+  const SpookParameters spook = spook_parameters(h, k, *joint.limit_d);
+  Constraint<6> limit = limit_constraint(free, *joint.limits, spook, h);
+  limit.gap = std::max(limit.gap, -largest_return(joint) / spook.a);
   if (limit.gap > reach<6>(limit, h, motion)) limit.hi = 0;
   rows.push_back(make_row(limit, motion));
 }
@@ -100,10 +109,10 @@ static Row<6> spring_row(const Coordinate& free, const Spring& spring, double h,
 
 /// Returns the speed nearest to a motor's target that the limits allow: within the limits, the remaining distance in a
 /// step of `h`; beyond a limit, the speed of return of the limit's own row: Eq. (13.17).
-static double speed_within(const JointLimits& limits, double value, double speed, double h, double limit_d) {
-  const double a = spook_parameters(h, 1, limit_d).a;
-  const auto allowed = [&](double gap) { return gap > 0 ? gap / h : a * gap; };
-  return std::min(std::max(speed, -allowed(value - limits.lower)), allowed(limits.upper - value));
+static double speed_within(const Joint& joint, double value, double speed, double h) {
+  const double a = spook_parameters(h, 1, *joint.limit_d).a, largest = largest_return(joint);
+  const auto allowed = [&](double gap) { return gap > 0 ? gap / h : std::max(a * gap, -largest); };
+  return std::min(std::max(speed, -allowed(value - joint.limits->lower)), allowed(joint.limits->upper - value));
 }
 
 /// Adds the holding rows of a hinge, slider or weld, then the rows of its limits, its spring and its motor.
@@ -129,7 +138,7 @@ static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodie
   if (joint.spring) rows.push_back(spring_row(free, *joint.spring, h, motion));
   if (!joint.motor) return;
   Motor motor = *joint.motor;
-  if (joint.limits) motor.speed = speed_within(*joint.limits, free.value, motor.speed, h, *joint.limit_d);
+  if (joint.limits) motor.speed = speed_within(joint, free.value, motor.speed, h);
   rows.push_back(motor_row(free, motor, h, motion));
 }
 

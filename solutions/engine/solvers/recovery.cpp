@@ -27,12 +27,25 @@ static void forget_gap(Row<Dof>& row, const Motion<Dof>& motion) {
   row.B = -opening_speed<Dof>(row, motion, nullptr);
 }
 
+/// Tells whether a limit's gap g is negative: B is -a g - G (W + W_f), since b = 1, Eq. (13.11).
+template <int Dof>
+static bool is_beyond(const Row<Dof>& limit, const Motion<Dof>& motion) {
+  return limit.B + opening_speed<Dof>(limit, motion, nullptr) > 0;
+}
+
 template <int Dof>
 std::optional<ConstraintSet<Dof>> constraints_without_recovery(
-    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw) {
+    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw,
+    const std::vector<RigidLimit>& limits) {
   const Motion<Dof>& motion = s.bodies.motion;
-  std::vector<bool> recovers(s.rows().size(), false);
+  std::vector<bool> recovers(s.rows().size(), false), is_limit(s.rows().size(), false);
   bool any = false;
+  for (const RigidLimit& limit : limits) {
+    const Row<Dof>& row = s.rows()[limit.row];
+    is_limit[limit.row] = true;
+    recovers[limit.row] = row.lambda > 0 && opening_speed(row, motion, &s.V) > limit.ignored;
+    any = any || recovers[limit.row];
+  }
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
     const std::size_t k = s.constraints.normal_row(c);
     const Row<Dof>& row = s.rows()[k];
@@ -46,6 +59,7 @@ std::optional<ConstraintSet<Dof>> constraints_without_recovery(
   for (const std::vector<int>& island : islands(without.rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
     for (const int k : island) {
+      if (is_limit[k] && is_beyond(s.rows()[k], motion)) forget_gap(without.rows[k], motion);
       const auto c = without.contact_of_normal_row(static_cast<std::size_t>(k));
       if (!c) continue;
       const Contact& contact = s.contacts[*c];
@@ -56,8 +70,8 @@ std::optional<ConstraintSet<Dof>> constraints_without_recovery(
 }
 
 template std::optional<ConstraintSet<3>> constraints_without_recovery(
-    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&);
+    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&, const std::vector<RigidLimit>&);
 template std::optional<ConstraintSet<6>> constraints_without_recovery(
-    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&);
+    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&, const std::vector<RigidLimit>&);
 
 }  // namespace spook

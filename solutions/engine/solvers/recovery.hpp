@@ -1,5 +1,6 @@
 #pragma once
-// Recovery: an overlap moves its bodies apart, and leaves them no speed.
+// Recovery: an overlap moves its bodies apart, and leaves them no speed. A joint beyond its limit moves back, and a rope
+// that is too long shortens, in the same way.
 //
 //   u = G (W + W_f + V)            speed at which a contact opens after the solve [m/s]; -a g where an overlap was at rest
 //   λ > 0 and u > 0                the contact recovers: it pushes more than stops its bodies
@@ -12,16 +13,24 @@
 // the speed that was stopped, inwards.
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "engine/solvers/solver.hpp"
 
 namespace spook {
 
-/// Returns the rows of the second solve, from the solved system `s`; λ is that of the first. Returns none where no contact
-/// that pushes opens faster than `ignored` [m/s]. `may_throw` says which contacts are springs, whose rebound stays; null:
-/// none.
+/// The row of a joint's limit, or of a rope, that is no spring.
+struct RigidLimit {
+  std::size_t row;
+  double ignored;  ///< it recovers if it opens faster [m/s or rad/s]
+};
+
+/// Returns the rows of the second solve, from the solved system `s`; λ is that of the first. Returns none where no
+/// contact that pushes opens faster than `ignored` [m/s], and no limit recovers. `may_throw` says which contacts are
+/// springs, whose rebound stays; null: none.
 template <int Dof>
 std::optional<ConstraintSet<Dof>> constraints_without_recovery(
-    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw);
+    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw,
+    const std::vector<RigidLimit>& limits);
 
 }  // namespace spook

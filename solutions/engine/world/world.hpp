@@ -33,6 +33,7 @@
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
 #include "engine/integration/rotation.hpp"
+#include "engine/solvers/recovery.hpp"
 #include "engine/solvers/registry.hpp"
 #include "engine/support/abi_check.hpp"
 #include "engine/world/simulation_diverged.hpp"
@@ -73,7 +74,7 @@ struct Settings {
   Wrench<Dof> wrench = nullptr;      ///< further forces, and torques [N, N m]. Default: none
   /// Stiffness of contacts and joints [N/m]. If k is set, contacts are springs, and an overlap may throw its bodies.
   /// Default: all forces of a step together compress one contact by a ten-thousandth of the smallest size, joints are
-  /// nearly rigid, engine/constraints/default_stiffness.hpp, and an overlap leaves no speed,
+  /// nearly rigid, engine/constraints/default_stiffness.hpp, and overlaps and exceeded limits leave no speed,
   /// engine/solvers/recovery.hpp.
   std::optional<double> k = {};
   /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for
@@ -386,6 +387,7 @@ class World {
   SolverInput<Dof> solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
+  std::vector<RigidLimit> rigid_limits(double h) const;
   void take_out_recovery(double h);
   void add_work_of_drives();
   void update_kinematic_velocities(double h);

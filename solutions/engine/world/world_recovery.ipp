@@ -1,9 +1,25 @@
-// Overlaps leave no speed: engine/solvers/recovery.hpp.
+// Overlaps and exceeded limits leave no speed: engine/solvers/recovery.hpp.
 #include <cmath>
 
 #include "engine/solvers/recovery.hpp"
 
 namespace spook {
+
+/// Returns the rows of limits and ropes without a k of their own. A step in which one opens by less than 1e-9 of its
+/// range, or than 1e-9 rad, does not count.
+template <int Dof>
+std::vector<RigidLimit> World<Dof>::rigid_limits(double h) const {
+  std::vector<RigidLimit> limits;
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    const Joint& joint = joints_[n];
+    const bool is_hinge = joint.kind == JointKind::hinge, is_rope = joint.kind == JointKind::rope;
+    if (!(is_rope || joint.limits) || !(is_hinge ? joint.has_default_k_turn : joint.has_default_k)) continue;
+    const double range = is_hinge ? 1 : is_rope ? *joint.length : joint.limits->upper - joint.limits->lower;
+    limits.push_back({.row = joint_rows_[n] + static_cast<std::size_t>(is_rope ? 0 : joint.holding_rows()),
+                      .ignored = 1e-9 * (std::isfinite(range) ? range : 0) / h});
+  }
+  return limits;
+}
 
 /// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
 template <int Dof>
@@ -13,8 +29,8 @@ void World<Dof>::take_out_recovery(double h) {
   std::function<bool(const Contact&)> may_throw = nullptr;
   if (materials_.any())
     may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
-  std::optional<ConstraintSet<Dof>> without =
-      constraints_without_recovery(solver_input(constraints_, V_, start_, h, {}), ignored, may_throw);
+  std::optional<ConstraintSet<Dof>> without = constraints_without_recovery(
+      solver_input(constraints_, V_, start_, h, {}), ignored, may_throw, rigid_limits(h));
   if (!without) return;
   StopRule stop = stop_rule(h);
   stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
