@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"

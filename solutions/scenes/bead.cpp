@@ -5,7 +5,7 @@
 //
 // The slider's axis rotates with the rod, and the bead is far from the rod's centre. So the second term of (22) in the
 // notes is not small here. Without it L is not conserved: chapter 13.
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/reference_motion.hpp"
 #include "scenes/registry.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/require.hpp"
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "scenes/pairwise.hpp"
 #include "scenes/registry.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // The energy of a run, half a step before the positions.
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 
 namespace spook {
 

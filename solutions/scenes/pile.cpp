@@ -2,7 +2,7 @@
 //
 // At rest the floor carries all the weight, since the walls are smooth. The final positions are unknown, but the forces
 // of the overlaps must balance the weight of each body: balance.hpp.
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "scenes/balance.hpp"
 #include "scenes/jitter.hpp"
 #include "scenes/load.hpp"

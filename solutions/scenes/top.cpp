@@ -1,7 +1,7 @@
 // An asymmetric top without torques: spinning near its middle axis, it turns over periodically.
 //
 // Compares ω in the body's own axes with the closed form of FreeTop, so errors of ω and of q both count.
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "scenes/free_top.hpp"
 #include "scenes/reference_motion.hpp"
 #include "scenes/registry.hpp"

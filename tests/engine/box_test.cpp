@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 #include "random_input.hpp"
 

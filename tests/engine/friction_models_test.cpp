@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "scene_runs.hpp"
 
 namespace spook::friction_models_test {

@@ -6,7 +6,7 @@
 
 #include "algebra.hpp"
 #include "checks.hpp"
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 #include "refusals.hpp"
 #include "scenes/plane_pendulum.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 
 namespace spook::motion_test {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "checks.hpp"
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/run_check.hpp"
 #include "engine/world/world.hpp"
 #include "refusals.hpp"

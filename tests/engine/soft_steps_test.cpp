@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 #include "random_input.hpp"
 

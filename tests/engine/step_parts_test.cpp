@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/run_check.hpp"
 #include "engine/world/world.hpp"
+#include "random_input.hpp"
 
 namespace spook::step_parts_test {
 namespace {
@@ -121,6 +124,53 @@ TEST(StepParts, LetAGyroscopePrecess) {
     EXPECT_NEAR(std::atan2(world.x(wheel).y(), world.x(wheel).x()), rate * world.time(), 1e-2 * rate)
         << "h = " << h;
   }
+}
+
+/// A chain of rods of 1 m and 1 kg, in random directions from a nail. Its last rod has a random mass up to `load` [kg].
+World<6> random_chain(testing::Random& random, double load) {
+  World<6> world({});
+  world.add_fixed(Vec3::Zero());
+  const int rods = random.integer(2, 4);
+  Vec3 end = Vec3::Zero();
+  for (int n = 0; n < rods; ++n) {
+    const Vec3 along = random.unit_vector();
+    const double mass = n + 1 == rods ? random.log_uniform(1, load) : 1;
+    const int rod = world.add({.x = end + 0.5 * along,
+                               .mass = mass,
+                               .q = Quat::FromTwoVectors(Vec3::UnitZ(), along),
+                               .principal = mass * Vec3(1.0 / 12, 1.0 / 12, 0.01)});
+    world.add_joint({.i = n, .j = rod, .p_i = Vec3(0, 0, n > 0 ? 0.5 : 0), .p_j = Vec3(0, 0, -0.5)});
+    end += along;
+  }
+  return world;
+}
+
+TEST(StepParts, GiveChainsThatSnapTautNoEnergy) {
+  // Falling from rest, a chain of light rods snaps taut, and its heavy end stops it for a moment. Energy is that at a
+  // position, with the mean kinetic energy of half a step before and after.
+  testing::Random random;
+  for (const double load : {1.0, 100.0, 1000.0})
+    for (const double h : steps_to_try)
+      for (int chain = 0; chain < 12; ++chain) {
+        World<6> world = random_chain(random, load);
+        const double rods = static_cast<double>(world.joints().size());
+        const double weight = g * std::accumulate(world.bodies().mass.begin(), world.bodies().mass.end(), 0.0);
+        const auto height = [&] { return potential_energy(world.bodies(), world.settings().gravity); };
+        const double start = height();
+        double T = 0, U = start, gained = 0, gap = 0;
+        while (world.time() < 1.5) {
+          world.step(h);
+          const double T_after = kinetic_energy(world.bodies());
+          gained = std::max(gained, (T + T_after) / 2 + U - start);
+          T = T_after;
+          U = height();
+          for (const Joint& joint : world.joints())
+            gap = std::max(gap, gap_of(joint, world.bodies()).apart.norm());
+        }
+        EXPECT_LE(gained, 0.02 * weight * rods) << "load " << load << ", h = " << h << ", chain " << chain;
+        EXPECT_NEAR(world.time(), static_cast<double>(world.steps()) * h, 1e-9);
+        EXPECT_LE(gap, 0.1) << "load " << load << ", h = " << h << ", chain " << chain;
+      }
 }
 
 TEST(StepParts, AreOneForSlowOrSoftJoints) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "checks.hpp"
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "refusals.hpp"
 
 namespace spook::world_test {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/run_check.hpp"
 #include "random_input.hpp"
 

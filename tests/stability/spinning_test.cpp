@@ -1,7 +1,7 @@
 // Bodies that spin fast.
 #include <algorithm>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "stepping.hpp"
 
 namespace spook {

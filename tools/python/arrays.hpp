@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/spring_energy.hpp"
 #include "python_world.hpp"
 

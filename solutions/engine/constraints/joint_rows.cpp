@@ -116,10 +116,11 @@ static double speed_within(const Joint& joint, double value, double speed, doubl
 }
 
 /// Adds the holding rows of a hinge, slider or weld, then the rows of its limits, its spring and its motor.
-static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
+static void add_guided_rows(const Joint& joint, double h, double d, const Bodies<6>& bodies,
+                            std::vector<Row<6>>& rows) {
   const Motion<6>& motion = bodies.motion;
-  const SpookParameters spook = spook_parameters(h, *joint.k, *joint.d),
-                        spook_turn = spook_parameters(h, *joint.k_turn, *joint.d);
+  const SpookParameters spook = spook_parameters(h, *joint.k, d),
+                        spook_turn = spook_parameters(h, *joint.k_turn, d);
   const JointFrames at = frames(joint, bodies);
   if (joint.kind == JointKind::slider) {
     for (int axis = 0; axis < 2; ++axis)
@@ -144,19 +145,20 @@ static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodie
 
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
-                    std::vector<Row<Dof>>& rows) {
+                    std::vector<Row<Dof>>& rows, double least_d) {
   ParameterCache spook_of(h);
   for (const Joint& joint : joints) {
+    const double d = joint.has_default_k ? std::max(*joint.d, least_d) : *joint.d;
     if constexpr (Dof == 6)
       if (joint.is_guided()) {
-        add_guided_rows(joint, h, bodies, rows);
+        add_guided_rows(joint, h, d, bodies, rows);
         continue;
       }
     if (joint.kind == JointKind::rope) {
       add_rope_row(joint, h, bodies, rows);
       continue;
     }
-    const SpookParameters& spook = spook_of(*joint.k, *joint.d);
+    const SpookParameters& spook = spook_of(*joint.k, d);
     // (World::step has checked that every distance has a direction.)
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
     if (joint.length) {
@@ -168,7 +170,9 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
   }
 }
 
-template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&);
-template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&);
+template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&,
+                                double);
+template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&,
+                                double);
 
 }  // namespace spook

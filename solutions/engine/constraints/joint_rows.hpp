@@ -28,8 +28,9 @@ namespace spook {
 
 /// Adds the rows of each joint in turn: one for a distance, three for a ball joint, five or six for a hinge, slider or
 /// weld, then the rows of its limit, its spring and its motor. Defaults of the joints must be filled in, as a world does.
+/// The relaxation of joints without a k of their own is at least `least_d` [steps].
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
-                    std::vector<Row<Dof>>& rows);
+                    std::vector<Row<Dof>>& rows, double least_d = 0);
 
 }  // namespace spook

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/passage.hpp"
 
 namespace spook {

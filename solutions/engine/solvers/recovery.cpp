@@ -36,11 +36,12 @@ static bool is_beyond(const Row<Dof>& limit, const Motion<Dof>& motion) {
 template <int Dof>
 std::optional<ConstraintSet<Dof>> constraints_without_recovery(
     const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw,
-    const std::vector<RigidLimit>& limits) {
+    const JointRecovery& joints) {
   const Motion<Dof>& motion = s.bodies.motion;
-  std::vector<bool> recovers(s.rows().size(), false), is_limit(s.rows().size(), false);
+  std::vector<bool> recovers(s.rows().size(), false), is_limit = recovers, holds = recovers;
   bool any = false;
-  for (const RigidLimit& limit : limits) {
+  for (const std::size_t k : joints.holding) holds[k] = recovers[k] = any = true;
+  for (const RigidLimit& limit : joints.limits) {
     const Row<Dof>& row = s.rows()[limit.row];
     is_limit[limit.row] = true;
     recovers[limit.row] = row.lambda > 0 && opening_speed(row, motion, &s.V) > limit.ignored;
@@ -59,7 +60,7 @@ std::optional<ConstraintSet<Dof>> constraints_without_recovery(
   for (const std::vector<int>& island : islands(without.rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
     for (const int k : island) {
-      if (is_limit[k] && is_beyond(s.rows()[k], motion)) forget_gap(without.rows[k], motion);
+      if (holds[k] || (is_limit[k] && is_beyond(s.rows()[k], motion))) forget_gap(without.rows[k], motion);
       const auto c = without.contact_of_normal_row(static_cast<std::size_t>(k));
       if (!c) continue;
       const Contact& contact = s.contacts[*c];
@@ -70,8 +71,8 @@ std::optional<ConstraintSet<Dof>> constraints_without_recovery(
 }
 
 template std::optional<ConstraintSet<3>> constraints_without_recovery(
-    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&, const std::vector<RigidLimit>&);
+    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&, const JointRecovery&);
 template std::optional<ConstraintSet<6>> constraints_without_recovery(
-    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&, const std::vector<RigidLimit>&);
+    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&, const JointRecovery&);
 
 }  // namespace spook

@@ -32,10 +32,17 @@ void World<Dof>::take_step(double h) {
   if (settings_.integrator_order == 4) return step_composed(h);
   divide_steps(h);
   if (settings_.soft_steps) return step_softly(h);
+  const bool divides = may_divide_steps();
+  if (divides) remember_state();
   SolveReport unsolved{.history = {}, .converged = true};
   for (int part = 0; part < parts_; ++part) {
     step_part(h / parts_);
     if (!solved_.converged) unsolved = solved_;
+    if (divides && divide_more(h)) {
+      go_back();
+      unsolved.converged = true;
+      part = -1;
+    }
   }
   if (!unsolved.converged) solved_ = std::move(unsolved);
 }
@@ -229,7 +236,7 @@ void World<Dof>::build_rows(double h) {
   constraints_.first_contact_row = 0;
   if (!joints_.empty()) {
     constraints_.rows.clear();
-    add_joint_rows(joints_, h, bodies_, constraints_.rows);
+    add_joint_rows(joints_, h, bodies_, constraints_.rows, least_relaxation(h));
     constraints_.first_contact_row = rows().size();
   }
   const Friction friction{.c = settings_.viscosity,
@@ -309,6 +316,7 @@ template <int Dof>
 void World<Dof>::end_step(double h) {
   time_ += h;
   h_ = h;
+  gap_step_ = std::max(h, 0.7 * gap_step_);
   require_finite_bodies();
   count_turns();
 }

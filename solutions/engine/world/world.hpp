@@ -354,6 +354,16 @@ class World {
     double speed;  ///< G W [m/s], negative
   };
 
+  /// The state before a step, to which the step goes back if it needs more parts.
+  struct BeforeStep {
+    std::vector<Vec3> x;
+    std::vector<Twist<Dof>> W, V;
+    std::vector<Quat> q;
+    std::vector<double> angles;  ///< of the hinges [rad]
+    WarmStartCache start;
+    double time = 0, h = 0, gap_step = 0;
+  };
+
   void take_step(double h);
   void step_part(double h);
   void step_softly(double h);
@@ -370,6 +380,11 @@ class World {
   void note_approaches(double h);
   void restitute();
   void divide_steps(double h);
+  bool may_divide_steps() const;
+  bool divide_more(double h);
+  void remember_state();
+  double least_relaxation(double h) const;
+  void go_back();
   double parts_needed_now(double h) const;
   double parts_needed_at_first(double h);
   void find_contacts(double h);
@@ -388,6 +403,7 @@ class World {
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
   std::vector<RigidLimit> rigid_limits(double h) const;
+  std::vector<std::size_t> rows_that_work() const;
   void take_out_recovery(double h);
   void add_work_of_drives();
   void update_kinematic_velocities(double h);
@@ -451,6 +467,8 @@ class World {
   double work_of_drives_ = 0;              // in the last step [J]
   std::vector<Kinematic<Dof>> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
+  ScratchCache<BeforeStep> before_step_;
+  double gap_step_ = 0;  // length of the parts that have left the gaps of joints [s]
   int pairs_ = 0;
   int impacts_ = 0;
   bool half_step_back_ = false;

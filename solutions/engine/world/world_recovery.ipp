@@ -1,6 +1,7 @@
 // Overlaps and exceeded limits leave no speed: engine/solvers/recovery.hpp.
 #include <cmath>
 
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/solvers/recovery.hpp"
 
 namespace spook {
@@ -21,6 +22,32 @@ std::vector<RigidLimit> World<Dof>::rigid_limits(double h) const {
   return limits;
 }
 
+/// Returns the rows that hold joints without a k of their own if their work, Eq. (13.19), is more than a hundredth of
+/// the kinetic energy before the step; else none.
+template <int Dof>
+std::vector<std::size_t> World<Dof>::rows_that_work() const {
+  const auto for_each = [&](const auto& action) {
+    for (std::size_t n = 0; n < joints_.size(); ++n) {
+      const Joint& joint = joints_[n];
+      if (!joint.has_default_k || joint.kind == JointKind::rope) continue;
+      const std::size_t first = joint_rows_[n];
+      for (std::size_t k = first; k < first + static_cast<std::size_t>(joint.holding_rows()); ++k) action(k);
+    }
+  };
+  const Motion<Dof>& motion = bodies_.motion;
+  const auto mean = [&](int body) -> Twist<Dof> {
+    return motion.W[body] + 0.5 * (motion.Wf[body] + V_[static_cast<std::size_t>(body)]);
+  };
+  double work = 0;
+  for_each([&](std::size_t k) {
+    const Row<Dof>& row = rows()[k];
+    work += row.lambda * (row.Gi.dot(mean(row.i)) + row.Gj.dot(mean(row.j)));
+  });
+  std::vector<std::size_t> found;
+  if (work > 0 && work > 1e-2 * kinetic_energy(bodies_)) for_each([&](std::size_t k) { found.push_back(k); });
+  return found;
+}
+
 /// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
 template <int Dof>
 void World<Dof>::take_out_recovery(double h) {
@@ -29,8 +56,9 @@ void World<Dof>::take_out_recovery(double h) {
   std::function<bool(const Contact&)> may_throw = nullptr;
   if (materials_.any())
     may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
-  std::optional<ConstraintSet<Dof>> without = constraints_without_recovery(
-      solver_input(constraints_, V_, start_, h, {}), ignored, may_throw, rigid_limits(h));
+  std::optional<ConstraintSet<Dof>> without =
+      constraints_without_recovery(solver_input(constraints_, V_, start_, h, {}), ignored, may_throw,
+                                   {.limits = rigid_limits(h), .holding = rows_that_work()});
   if (!without) return;
   StopRule stop = stop_rule(h);
   stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);

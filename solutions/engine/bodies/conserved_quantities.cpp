@@ -1,4 +1,4 @@
-#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/bodies/conserved_quantities.hpp"
 
 namespace spook {
 
