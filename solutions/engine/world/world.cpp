@@ -27,7 +27,7 @@ void World<Dof>::step(double h) {
 template <int Dof>
 void World<Dof>::take_step(double h) {
   if (settings_.stepper) return step_elsewhere(h);
-  impacts_ = 0;
+  impacts_.clear();
   work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
   divide_steps(h);
@@ -177,9 +177,9 @@ template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
   const auto law_of = [&](const Contact& contact) { return impact_law(contact, h); };
   const std::vector<Vec3> before = bodies_.x;
-  const int hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
-  impacts_ += hits;
-  if (hits > 0) {
+  const std::vector<Impact> hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  impacts_.insert(impacts_.end(), hits.begin(), hits.end());
+  if (!hits.empty()) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);

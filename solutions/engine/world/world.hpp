@@ -31,6 +31,7 @@
 #include "engine/constraints/soft_contacts.hpp"
 #include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
+#include "engine/impacts/impacts.hpp"
 #include "engine/integration/rattle.hpp"
 #include "engine/integration/rotation.hpp"
 #include "engine/solvers/recovery.hpp"
@@ -297,6 +298,10 @@ class World {
   double lambda(int contact) const;
   Vec3 impulse(int contact) const;
 
+  /// The impacts of the last step: collisions with restitution, after which the contact may be open again, so that
+  /// contacts() does not have it. A contact that bounces twice in a step is there twice.
+  const std::vector<Impact>& impacts() const { return impacts_; }
+
   /// The joints; the impulse of one row of a joint in the last step [N s].
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
@@ -452,7 +457,7 @@ class World {
   std::vector<Kinematic<Dof>> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
-  int impacts_ = 0;
+  std::vector<Impact> impacts_;  // of the last step
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
   ScratchCache<RattleJoints<Dof>> rattle_joints_;  // joints of steps that are composed

@@ -147,6 +147,7 @@ void World<Dof>::forget_the_last_step() {
   }
   constraints_.clear();
   contacts_.clear();
+  impacts_.clear();
   start_ = {};
 }
 
