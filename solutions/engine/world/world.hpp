@@ -133,7 +133,7 @@ struct StepReport {
 };
 
 /// A world of bodies and joints. A copy includes the solver's state: it continues as the original would, and shares
-/// nothing with it.
+/// nothing with it. So `saved = world`, and later `world = saved`, go back to a step.
 template <int Dof>
 class World {
  public:
