@@ -7,6 +7,7 @@
 #include "engine/diagnostics/contact_events.hpp"
 #include "engine/world/handles.hpp"
 #include "engine/world/try_step.hpp"
+#include "refusals.hpp"
 
 namespace spook::around_a_world_test {
 
@@ -158,6 +159,10 @@ TEST(Handles, RefuseUnknownBodiesAndJoints) {
   EXPECT_THROW((void)handles.of_joint(0), std::invalid_argument);
   EXPECT_THROW((void)handles.body(0), std::invalid_argument);
   EXPECT_THROW((void)handles.joint(-1), std::invalid_argument);
+  const int body = handles.of_body(world.add({}));
+  handles.remove_body(body);
+  expect_refusal({"handle of a body", "is 0", "was removed"}, [&] { (void)handles.body(body); });
+  expect_refusal({"handle of a joint", "is 3", "of_joint never returned"}, [&] { (void)handles.joint(3); });
 }
 
 }  // namespace spook::around_a_world_test

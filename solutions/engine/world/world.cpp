@@ -205,8 +205,13 @@ void World<Dof>::set_default_stiffness(double h) {
   load = std::max(largest_load_, load);
   const double of_joints = joint_stiffness(mass, h);
   const double k = spook::contact_stiffness(load, shapes_.smallest, of_joints);
-  if (!std::isfinite(k) && !contacts_.empty() && shapes_.smallest > 0)
+  const char* too_short = "so long that the default k, 2e6/h² of the mass, is finite, or k given";
+  if (!std::isfinite(k) && !contacts_.empty()) {
+    if (shapes_.smallest == 0)
+      reject("size of a body", 0, "positive for the default k of contacts, or k given");
+    if (load == 0) reject("h", h, too_short);
     reject("sum of all forces", load, "so small that the default k of contacts is finite, or k given");
+  }
   largest_load_ = load;
   materials_.set_stiffness(k);
   if (joints_.empty()) return;
@@ -218,6 +223,8 @@ void World<Dof>::set_default_stiffness(double h) {
     for (const Joint& joint : joints_) arm = std::max({arm, joint.p_i.squaredNorm(), joint.p_j.squaredNorm()});
   }
   for (Joint& joint : joints_) {
+    if ((joint.has_default_k || joint.has_default_k_turn) && !std::isfinite(of_joints))
+      reject("h", h, too_short);
     if (joint.has_default_k) joint.k = of_joints;
     if (joint.has_default_k_turn) joint.k_turn = arm * of_joints;
   }
