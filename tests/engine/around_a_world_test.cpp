@@ -31,6 +31,26 @@ TEST(TryStep, ReturnsWhatStepThrows) {
   EXPECT_EQ(diverged->body(), body);
 }
 
+TEST(TryStep, ReturnsWhatIsWrongUntilTheWorldIsMended) {
+  bool broken = true;
+  World<6> world({.force = [&](std::size_t i, const std::vector<Vec3>&) {
+    return Vec3(broken && i > 0 ? std::nan("") : 0, 0, 0);
+  }});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (int i = 1; i <= 2; ++i) world.add({.x = Vec3(i, 0, 1), .mass = 1, .radius = 0.1});
+  for (int n = 0; n < 3; ++n) {
+    const std::optional<SimulationDiverged> diverged = try_step(world, 1.0 / 60);
+    ASSERT_TRUE(diverged.has_value()) << n;
+    EXPECT_EQ(diverged->body(), 1);
+  }
+  broken = false;
+  for (int i = 1; i <= 2; ++i) {
+    world.place(i, Vec3(i, 0, 1), Vec3::Zero());
+    world.turn(i, Quat::Identity(), Vec3::Zero());
+  }
+  EXPECT_FALSE(try_step(world, 1.0 / 60).has_value());
+}
+
 TEST(ContactEvents, ABallThatFallsAndIsLiftedTouchesOnce) {
   World<6> world({});
   const int floor = world.add_plane(Vec3::UnitZ(), 0);

@@ -9,6 +9,14 @@
 
 namespace spook {
 
+/// Tells whether positions and velocities of all dynamic bodies are finite.
+template <int Dof>
+static bool are_dynamic_finite(const Bodies<Dof>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!bodies.is_fixed(i) && !std::isfinite(bodies.x[i].sum() + bodies.motion.W[i].sum())) return false;
+  return true;
+}
+
 template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
@@ -19,6 +27,8 @@ void World<Dof>::step(double h) {
   } catch (const SimulationDiverged&) {
     throw;
   } catch (...) {
+    // What a check says of bodies that are not finite is no fault of its caller.
+    if (!are_dynamic_finite(bodies_)) require_finite_bodies();
     --steps_;  // a step that a velocity function or a check ends does not count
     throw;
   }
