@@ -54,7 +54,7 @@ Coordinate shift_along(const JointFrame& i, const JointFrame& j, int axis);
 /// which the hinge has turned by less than half a turn.
 Coordinate hinge_angle(const JointFrame& i, const JointFrame& j, double last);
 
-/// The range of a hinge or slider. Either end may be infinite; lower = upper locks the joint.
+/// The range of a hinge or slider. Either end may be infinite. The engine refuses lower = upper: a weld locks a joint.
 struct JointLimits {
   double lower = -infinity;  ///< [rad] or [m]
   double upper = infinity;

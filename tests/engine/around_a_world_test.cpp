@@ -1,11 +1,13 @@
 // Functions for programs around a world: steps that return their outcome, begins and ends of touching, handles.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "engine/diagnostics/contact_events.hpp"
 #include "engine/world/handles.hpp"
 #include "engine/world/try_step.hpp"
+#include "refusals.hpp"
 
 namespace spook::around_a_world_test {
 
@@ -27,6 +29,26 @@ TEST(TryStep, ReturnsWhatStepThrows) {
   ASSERT_TRUE(diverged.has_value());
   EXPECT_EQ(diverged->step(), 1);
   EXPECT_EQ(diverged->body(), body);
+}
+
+TEST(TryStep, ReturnsWhatIsWrongUntilTheWorldIsMended) {
+  bool broken = true;
+  World<6> world({.force = [&](std::size_t i, const std::vector<Vec3>&) {
+    return Vec3(broken && i > 0 ? std::nan("") : 0, 0, 0);
+  }});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (int i = 1; i <= 2; ++i) world.add({.x = Vec3(i, 0, 1), .mass = 1, .radius = 0.1});
+  for (int n = 0; n < 3; ++n) {
+    const std::optional<SimulationDiverged> diverged = try_step(world, 1.0 / 60);
+    ASSERT_TRUE(diverged.has_value()) << n;
+    EXPECT_EQ(diverged->body(), 1);
+  }
+  broken = false;
+  for (int i = 1; i <= 2; ++i) {
+    world.place(i, Vec3(i, 0, 1), Vec3::Zero());
+    world.turn(i, Quat::Identity(), Vec3::Zero());
+  }
+  EXPECT_FALSE(try_step(world, 1.0 / 60).has_value());
 }
 
 TEST(ContactEvents, ABallThatFallsAndIsLiftedTouchesOnce) {
@@ -52,6 +74,38 @@ TEST(ContactEvents, ABallThatFallsAndIsLiftedTouchesOnce) {
   EXPECT_TRUE(events.touching().empty());
   step();
   EXPECT_TRUE(events.begun().empty() && events.ended().empty());
+}
+
+TEST(ContactEvents, ABounceBeginsAndEnds) {
+  for (const bool soft : {false, true}) {
+    SCOPED_TRACE(soft ? "soft steps" : "rigid steps");
+    Settings<6> settings{.impacts = ImpactLaw{.restitution = 0.8}};
+    if (soft) settings.soft_steps = SoftSteps{};
+    World<6> world(settings);
+    const int floor = world.add_plane(Vec3::UnitZ(), 0);
+    const int ball = world.add({.x = Vec3(0, 0, 1), .mass = 1, .radius = 0.1});
+    ContactEvents events;
+    int bounces = 0, begun = 0, ended = 0;
+    for (int n = 0; n < 120; ++n) {  // it falls 0.9 m in 0.43 s, and again after another 0.69 s
+      world.step(1.0 / 60);
+      events.look(world);
+      for (const Impact& impact : world.impacts()) {
+        EXPECT_EQ(std::minmax(impact.i, impact.j), std::minmax(floor, ball));
+        const double fallen = std::sqrt(2 * 9.81 * 0.9) * std::pow(0.8, bounces);
+        EXPECT_NEAR(impact.speed, fallen, 0.1 * fallen);
+        EXPECT_EQ(events.begun(), Pairs({std::minmax(floor, ball)}));
+        ++bounces;
+      }
+      EXPECT_EQ(world.report().impacts, std::ssize(world.impacts()));
+      begun += static_cast<int>(events.begun().size());
+      ended += static_cast<int>(events.ended().size());
+    }
+    EXPECT_GE(bounces, 2);
+    EXPECT_EQ(begun, bounces);
+    EXPECT_EQ(ended, bounces);
+    world.remove_body(ball);
+    EXPECT_TRUE(world.impacts().empty()) << "its bodies have other indices now";
+  }
 }
 
 TEST(ContactEvents, APairIsNamedOnceHoweverManyContactsItHas) {
@@ -125,6 +179,10 @@ TEST(Handles, RefuseUnknownBodiesAndJoints) {
   EXPECT_THROW((void)handles.of_joint(0), std::invalid_argument);
   EXPECT_THROW((void)handles.body(0), std::invalid_argument);
   EXPECT_THROW((void)handles.joint(-1), std::invalid_argument);
+  const int body = handles.of_body(world.add({}));
+  handles.remove_body(body);
+  expect_refusal({"handle of a body", "is 0", "was removed"}, [&] { (void)handles.body(body); });
+  expect_refusal({"handle of a joint", "is 3", "of_joint never returned"}, [&] { (void)handles.joint(3); });
 }
 
 }  // namespace spook::around_a_world_test

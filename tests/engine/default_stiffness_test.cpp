@@ -91,6 +91,18 @@ TEST(DefaultStiffness, RefusesForcesThatGiveNone) {
   EXPECT_LT(world.contact_stiffness(), 1e7) << "the refused force leaves no trace";
 }
 
+TEST(DefaultStiffness, NamesTheStepAndTheSizeThatGiveNone) {
+  World<3> rod({});
+  rod.add_fixed(Vec3::Zero());
+  rod.add({.x = Vec3(1, 0, 0)});
+  rod.add_joint({.i = 0, .j = 1, .length = 1});
+  expect_refusal({"h must be so long", "k given"}, [&] { rod.step(1e-200); });
+  World<6> point({});
+  point.add_plane(Vec3::UnitZ(), 0);
+  point.add({.principal = Vec3(1, 1, 1), .corners = {Vec3::Zero()}});
+  expect_refusal({"size of a body must be positive", "k given", "0"}, [&] { point.step(1.0 / 60); });
+}
+
 TEST(DefaultStiffness, GivesWayToAnyThatIsSaid) {
   World<6> world({.k = 1e4});
   world.add_plane(Vec3::UnitZ(), 0);

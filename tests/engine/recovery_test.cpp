@@ -174,7 +174,7 @@ TEST(Recovery, HoldsWhatIsJoined) {
 }
 
 /// A door of 2 m by 1 m by 0.1 m, its hinge at the edge of its long side, `beyond` its limit [rad].
-World<6> door(double beyond, double h, std::optional<double> k_turn = {}) {
+World<6> door(double beyond, std::optional<double> k_turn = {}) {
   World<6> world({.gravity = Vec3::Zero()});
   const int frame = world.add_fixed(Vec3::Zero());
   const Quat q(Eigen::AngleAxisd(0.5 + beyond, Vec3::UnitZ()));
@@ -194,7 +194,7 @@ World<6> door(double beyond, double h, std::optional<double> k_turn = {}) {
 TEST(Recovery, TurnsAHingeBackIntoItsRangeWithoutSpeed) {
   for (const double h : steps_to_try)
     for (const double beyond : {1e-3, 0.3, 1.0}) {
-      World<6> world = door(beyond, h);
+      World<6> world = door(beyond);
       // By half a radian a second, then by the share that d sets.
       const double steps = beyond / (0.5 * h) + std::log(1e5) / -std::log(share_left) + 2;
       double last = 0.5 + beyond;
@@ -216,7 +216,7 @@ TEST(Recovery, TurnsAHingeBackIntoItsRangeWithoutSpeed) {
 }
 
 TEST(Recovery, ThrowsADoorWhoseLimitIsASpring) {
-  World<6> world = door(0.3, 1.0 / 240, 100);
+  World<6> world = door(0.3, 100);
   double fastest = 0;
   for (int n = 0; n < 240; ++n) {
     world.step(1.0 / 240);

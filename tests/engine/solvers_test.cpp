@@ -327,6 +327,20 @@ TEST(CopiesOfAWorld, GoOnAlikeAndShareNothing) {
   }
 }
 
+TEST(CopiesOfAWorld, AssignedToItGoBackToAStep) {
+  for (const Solver<3>& solver :
+       {ordered_gauss_seidel<3>(RowOrder::random, 5), automatic<3>(), geometric_stiffness(automatic<3>())}) {
+    World<3> world = stack(solver, true), saved({});
+    for (int step = 0; step < 5; ++step) world.step(h);
+    saved = world;
+    for (int step = 0; step < 5; ++step) world.step(h);
+    const World<3> once = world;
+    world = saved;
+    for (int step = 0; step < 5; ++step) world.step(h);
+    for (int body = 1; body <= 6; ++body) EXPECT_EQ(world.x(body), once.x(body)) << body;
+  }
+}
+
 TEST(CopiesOfAWorld, OfAWireKeepItsTension) {
   World<3> first = wire_and_ball(find_solver<3>("geometric_stiffness").make());
   for (int step = 0; step < 5; ++step) first.step(h);

@@ -139,6 +139,21 @@ TEST(Verdict, StepsThatLoseEnergyAreLost) {
   EXPECT_EQ(judged(free, 0.1, 3).state, State::sound);
 }
 
+TEST(Verdict, ALimitThatRecoversWithoutGravityIsSound) {
+  // A hinge begins beyond its limit, and nothing else moves: what its recovery leaves is round-off.
+  for (const bool soft : {false, true}) {
+    Settings<6> settings{.gravity = Vec3::Zero()};
+    if (soft) settings.soft_steps = SoftSteps{};
+    World<6> world(settings);
+    world.add_fixed(Vec3::Zero());
+    world.add({.mass = 1, .half_sides = Vec3(1, 0.1, 0.1)});
+    world.add_joint({.i = 0, .j = 1, .kind = JointKind::hinge, .limits = JointLimits{0.5, 1}});
+    const Verdict verdict = judged(world, 1.0 / 60, 4);
+    EXPECT_NEAR(world.joint_position(0), 0.5, 1e-6);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason << (soft ? ", soft steps" : "");
+  }
+}
+
 TEST(Verdict, OverlapsOfSoftStepsAreSags) {
   // A tower of soft steps sinks by (10.18); with many substeps it does not.
   const auto tower = [](int substeps) {

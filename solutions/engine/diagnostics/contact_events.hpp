@@ -12,7 +12,8 @@ namespace spook {
 /// Two bodies, i < j.
 using TouchingPair = std::pair<int, int>;
 
-/// Bodies touch in a step if one of their contacts has a gap of at most 0 or an impulse.
+/// Bodies touch in a step if one of their contacts has a gap of at most 0 or an impulse, or if they collided. So a
+/// bounce begins in its step, and ends in the next step.
 class ContactEvents {
  public:
   /// Compares the world's last step with the one that was looked at before. Call it after each step.
@@ -23,6 +24,7 @@ class ContactEvents {
       const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
       if (contact.gap <= 0 || world.lambda(c) > 0) now.push_back(std::minmax(contact.i, contact.j));
     }
+    for (const Impact& impact : world.impacts()) now.push_back(std::minmax(impact.i, impact.j));
     std::sort(now.begin(), now.end());
     now.erase(std::unique(now.begin(), now.end()), now.end());
     begun_ = difference(now, touching_);

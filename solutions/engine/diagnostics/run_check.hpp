@@ -9,7 +9,8 @@
 //                - contacts are too deep in ten steps in a row, and recover at less than half of SPOOK's rate; a thin,
 //                  fast body may be deep for a moment
 //                - constraints, or the steps themselves, added energy: more than a tenth of the largest kinetic energy
-//                  so far, and of the energy that lifts every body by its size
+//                  so far, of the energy that lifts every body by its size, and of the energy of a motion by 1e-8 of the
+//                  largest size and 1e-8 rad in a step, which is too slow to be seen
 //                - bodies without constraints lost as much
 //   a note     the first of these:
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k

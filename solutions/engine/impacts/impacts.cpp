@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <queue>
+#include <utility>
 
 #include "engine/impacts/simultaneous_impacts.hpp"
 
@@ -115,20 +116,19 @@ class ImpactQueue {
     list_contacts_of_bodies();
   }
 
-  /// Returns the number of contacts that were resolved, each counted each time.
-  int resolve() {
-    int impacts = 0;
+  /// Returns the impacts, a contact as often as it was resolved.
+  std::vector<Impact> resolve() {
     std::vector<std::size_t> first;
     while (!queue_.empty()) {
       take_first(first);
       for (const std::size_t c : first) {
         if (!waiting_[c]) continue;
-        impacts += resolve(connected(c), *lateness_of(now(c), law_));
+        resolve(connected(c), *lateness_of(now(c), law_));
       }
     }
-    if (impacts > 0)
+    if (!impacts_.empty())
       for (Contact& contact : contacts_) contact = moved_on(contact, moved_, radii_);
-    return impacts;
+    return std::move(impacts_);
   }
 
  private:
@@ -192,8 +192,8 @@ class ImpactQueue {
     return together;
   }
 
-  /// Resolves impacts that were `late` ago [s]. Returns their number: none if one was too slow then.
-  int resolve(const std::vector<std::size_t>& together, double late) {
+  /// Resolves impacts that were `late` ago [s]; none if one was too slow then.
+  void resolve(const std::vector<std::size_t>& together, double late) {
     Motion<Dof>& motion = bodies_.motion;
     std::vector<Contact> contacts;
     std::vector<ImpactLaw> laws;
@@ -211,11 +211,13 @@ class ImpactQueue {
 
     std::vector<Twist<Dof>> W;
     for (const std::size_t body : moving) W.push_back(motion.W[body] -= late / h_ * motion.Wf[body]);
-    int impacts = static_cast<int>(together.size());
-    if (impacts == 1)
-      impacts = spook::resolve_impacts(contacts, laws.front(), motion).impacts;
-    else
+    std::vector<Impact> impacts;
+    for (const Contact& contact : contacts)
+      impacts.push_back({contact.i, contact.j, -separation_speed(contact, motion)});
+    if (together.size() > 1)
       resolve_together(contacts, laws, motion);
+    else if (spook::resolve_impacts(contacts, laws.front(), motion).impacts == 0)
+      impacts.clear();
     for (std::size_t n = 0; n < moving.size(); ++n) {
       const std::size_t body = moving[n];
       const Vec3 by = late * (motion.W[body] - W[n]).template head<3>();  // Eq. (7.16)
@@ -223,10 +225,10 @@ class ImpactQueue {
       bodies_.x[body] += by;
       moved_[body] += by;
     }
-    if (impacts == 0) return 0;
+    if (impacts.empty()) return;
+    impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
     for (const std::size_t c : together) ++impacts_of_[c];
     for (const std::size_t c : together) around(c, [&](std::size_t other) { look_again(other); });
-    return impacts;
   }
 
   void look_again(std::size_t c) {
@@ -242,6 +244,7 @@ class ImpactQueue {
   Bodies<Dof>& bodies_;
   std::priority_queue<Approach> queue_;
   std::vector<double> radii_;
+  std::vector<Impact> impacts_;
   std::vector<Vec3> moved_;                          // displacement since the contacts were found
   std::vector<int> version_, impacts_of_;            // of each contact
   std::vector<bool> waiting_;                        // contacts of the current time
@@ -251,14 +254,16 @@ class ImpactQueue {
 }  // namespace
 
 template <int Dof>
-int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
-                         Bodies<Dof>& bodies) {
+std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
+                                         const Shapes& shapes, Bodies<Dof>& bodies) {
   return ImpactQueue<Dof>(contacts, law, h, shapes, bodies).resolve();
 }
 
 template double separation_speed<3>(const Contact&, const Motion<3>&);
 template double separation_speed<6>(const Contact&, const Motion<6>&);
-template int resolve_late_impacts<3>(std::vector<Contact>&, const LawOf&, double, const Shapes&, Bodies<3>&);
-template int resolve_late_impacts<6>(std::vector<Contact>&, const LawOf&, double, const Shapes&, Bodies<6>&);
+template std::vector<Impact> resolve_late_impacts<3>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
+                                                     Bodies<3>&);
+template std::vector<Impact> resolve_late_impacts<6>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
+                                                     Bodies<6>&);
 
 }  // namespace spook

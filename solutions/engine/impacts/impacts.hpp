@@ -11,11 +11,18 @@
 // and those at one time together: engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres,
 // are those of the time of impact, so angular momentum is kept up to round-off. Orientations are not corrected.
 #include <functional>
+#include <vector>
 
 #include "07_impacts/impacts.hpp"
 #include "engine/collision/contacts.hpp"
 
 namespace spook {
+
+/// The impact of a contact.
+struct Impact {
+  int i, j;      ///< its bodies
+  double speed;  ///< at which they approached along the normal [m/s]
+};
 
 /// Returns the impact law of a contact.
 using LawOf = std::function<ImpactLaw(const Contact& contact)>;
@@ -26,9 +33,9 @@ double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
 /// Resolves the impacts of all closed contacts, the longest delay first: Eq. (7.1)-(7.16). Contacts whose delays differ
 /// by at most a millionth of a step, and that share a dynamic body, are resolved together: Eq. (7.18). A contact has at
-/// most `max_passes` impacts. Updates velocities, positions and gaps. Returns the number of impacts.
+/// most `max_passes` impacts. Updates velocities, positions and gaps. Returns the impacts.
 template <int Dof>
-int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
-                         Bodies<Dof>& bodies);
+std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
+                                         const Shapes& shapes, Bodies<Dof>& bodies);
 
 }  // namespace spook

@@ -57,7 +57,8 @@ class Attempts {
     tried_within_ = true;
     const double enough = part(share == infinity ? share_within : share_lagged);
     if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
-    keep(report_.history.back());
+    // The history is empty if the first factorisation of all failed.
+    if (!report_.history.empty()) keep(report_.history.back());
     return end_with_best();
   }
 

@@ -58,14 +58,18 @@ void state_of_method(typename Solver<Dof>::Function& solve, StateStream& s) {
   if (Method* method = solve.template target<Method>()) method->state(s);
 }
 
-/// A cache of a solver; a copy of the solver starts with an empty cache.
+/// A cache of a solver; a copy of the solver starts with an empty cache, and so does a solver that another is assigned
+/// to.
 template <class T>
 class ScratchCache {
  public:
   ScratchCache() = default;
   ScratchCache(const ScratchCache&) {}
   ScratchCache(ScratchCache&&) noexcept = default;
-  ScratchCache& operator=(const ScratchCache&) = delete;
+  ScratchCache& operator=(const ScratchCache&) {
+    kept_.reset();
+    return *this;
+  }
   ScratchCache& operator=(ScratchCache&&) noexcept = default;
   ~ScratchCache() = default;
 

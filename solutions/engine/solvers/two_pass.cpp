@@ -29,8 +29,9 @@ template <int Dof>
 Solver<Dof> two_pass(Solver<Dof> inner) {
   if (!inner.solve) throw std::invalid_argument("two_pass's solver must be one of solvers(), but is null");
   if (inner.friction != FrictionModel::box)
-    throw std::invalid_argument("two_pass's solver must leave the limits of friction alone, but has those of " +
-                                name_of(inner.friction));
+    throw std::invalid_argument(
+        "two_pass's solver must have the friction model box, as automatic(FrictionModel::box) does, but has " +
+        name_of(inner.friction));
   const bool wants_last = inner.wants_last;
   return {.solve = TwoPasses<Dof>{std::move(inner)},
           .friction = FrictionModel::two_pass,

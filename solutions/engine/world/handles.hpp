@@ -28,9 +28,10 @@ class HandleList {
   int index(const char* name, int handle) const {
     const bool known = handle >= 0 && static_cast<std::size_t>(handle) < indices_.size();
     if (!known || indices_[static_cast<std::size_t>(handle)] < 0)
-      throw std::invalid_argument(std::string(name) +
-                                  " must be a handle of an existing body or joint, but is " +
-                                  std::to_string(handle));
+      throw std::invalid_argument(
+          std::string(name) + " must be the handle of a " + name + " of this world, but is " +
+          std::to_string(handle) +
+          (known ? ", which was removed" : ", which of_" + std::string(name) + " never returned"));
     return indices_[static_cast<std::size_t>(handle)];
   }
 

@@ -9,6 +9,14 @@
 
 namespace spook {
 
+/// Tells whether positions and velocities of all dynamic bodies are finite.
+template <int Dof>
+static bool are_dynamic_finite(const Bodies<Dof>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!bodies.is_fixed(i) && !std::isfinite(bodies.x[i].sum() + bodies.motion.W[i].sum())) return false;
+  return true;
+}
+
 template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
@@ -19,6 +27,8 @@ void World<Dof>::step(double h) {
   } catch (const SimulationDiverged&) {
     throw;
   } catch (...) {
+    // What a check says of bodies that are not finite is no fault of its caller.
+    if (!are_dynamic_finite(bodies_)) require_finite_bodies();
     --steps_;  // a step that a velocity function or a check ends does not count
     throw;
   }
@@ -27,7 +37,7 @@ void World<Dof>::step(double h) {
 template <int Dof>
 void World<Dof>::take_step(double h) {
   if (settings_.stepper) return step_elsewhere(h);
-  impacts_ = 0;
+  impacts_.clear();
   work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
   divide_steps(h);
@@ -184,9 +194,9 @@ template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
   const auto law_of = [&](const Contact& contact) { return impact_law(contact, h); };
   const std::vector<Vec3> before = bodies_.x;
-  const int hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
-  impacts_ += hits;
-  if (hits > 0) {
+  const std::vector<Impact> hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  impacts_.insert(impacts_.end(), hits.begin(), hits.end());
+  if (!hits.empty()) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
@@ -212,8 +222,13 @@ void World<Dof>::set_default_stiffness(double h) {
   load = std::max(largest_load_, load);
   const double of_joints = joint_stiffness(mass, h);
   const double k = spook::contact_stiffness(load, shapes_.smallest, of_joints);
-  if (!std::isfinite(k) && !contacts_.empty() && shapes_.smallest > 0)
+  const char* too_short = "so long that the default k, 2e6/h² of the mass, is finite, or k given";
+  if (!std::isfinite(k) && !contacts_.empty()) {
+    if (shapes_.smallest == 0)
+      reject("size of a body", 0, "positive for the default k of contacts, or k given");
+    if (load == 0) reject("h", h, too_short);
     reject("sum of all forces", load, "so small that the default k of contacts is finite, or k given");
+  }
   largest_load_ = load;
   materials_.set_stiffness(k);
   if (joints_.empty()) return;
@@ -225,6 +240,8 @@ void World<Dof>::set_default_stiffness(double h) {
     for (const Joint& joint : joints_) arm = std::max({arm, joint.p_i.squaredNorm(), joint.p_j.squaredNorm()});
   }
   for (Joint& joint : joints_) {
+    if ((joint.has_default_k || joint.has_default_k_turn) && !std::isfinite(of_joints))
+      reject("h", h, too_short);
     if (joint.has_default_k) joint.k = of_joints;
     if (joint.has_default_k_turn) joint.k_turn = arm * of_joints;
   }

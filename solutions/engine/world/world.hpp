@@ -31,6 +31,7 @@
 #include "engine/constraints/soft_contacts.hpp"
 #include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
+#include "engine/impacts/impacts.hpp"
 #include "engine/integration/rattle.hpp"
 #include "engine/integration/rotation.hpp"
 #include "engine/solvers/recovery.hpp"
@@ -132,7 +133,7 @@ struct StepReport {
 };
 
 /// A world of bodies and joints. A copy includes the solver's state: it continues as the original would, and shares
-/// nothing with it.
+/// nothing with it. So `saved = world`, and later `world = saved`, go back to a step.
 template <int Dof>
 class World {
  public:
@@ -296,6 +297,10 @@ class World {
   const std::vector<Contact>& contacts() const { return contacts_; }
   double lambda(int contact) const;
   Vec3 impulse(int contact) const;
+
+  /// The impacts of the last step: collisions with restitution, after which the contact may be open again, so that
+  /// contacts() does not have it. A contact that bounces twice in a step is there twice.
+  const std::vector<Impact>& impacts() const { return impacts_; }
 
   /// The joints; the impulse of one row of a joint in the last step [N s].
   const std::vector<Joint>& joints() const { return joints_; }
@@ -470,7 +475,7 @@ class World {
   ScratchCache<BeforeStep> before_step_;
   double gap_step_ = 0;  // length of the parts that have left the gaps of joints [s]
   int pairs_ = 0;
-  int impacts_ = 0;
+  std::vector<Impact> impacts_;  // of the last step
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
   ScratchCache<RattleJoints<Dof>> rattle_joints_;  // joints of steps that are composed

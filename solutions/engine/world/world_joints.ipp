@@ -91,7 +91,9 @@ void World<Dof>::complete(Joint& joint) const {
       if (!(limits.lower < limits.upper)) {
         std::ostringstream lower;
         lower << limits.lower;
-        reject("upper", limits.upper, "more than lower, which is " + lower.str());
+        reject("upper", limits.upper,
+               "more than lower, which is " + lower.str() +
+                   (limits.lower == limits.upper ? "; use a weld to lock a joint" : ""));
       }
       if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
       require_not_negative("limit_d", *joint.limit_d);
@@ -147,6 +149,7 @@ void World<Dof>::forget_the_last_step() {
   }
   constraints_.clear();
   contacts_.clear();
+  impacts_.clear();
   start_ = {};
 }
 

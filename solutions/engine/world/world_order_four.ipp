@@ -98,7 +98,7 @@ void World<Dof>::require_smooth(const Joint& joint) const {
 template <int Dof>
 void World<Dof>::require_no_relaxation(double d) const {
   if (settings_.integrator_order == 4 && d > 0)
-    reject("d", d, "0 with integrator_order 4: what relaxation loses, a step backwards does not give back");
+    reject("d", d, "0 with integrator_order 4, since relaxation dissipates energy");
 }
 
 /// Throws std::invalid_argument for a wrench that depends on velocities.

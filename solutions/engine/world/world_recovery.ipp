@@ -6,8 +6,22 @@
 
 namespace spook {
 
+/// Returns the square of the speed of a joint's point on j relative to that on i [m²/s²].
+template <int Dof>
+double squared_speed(const Joint& joint, const Bodies<Dof>& bodies) {
+  const auto velocity = [&](int body, const Vec3& p) -> Vec3 {
+    const Twist<Dof>& W = bodies.motion.W[static_cast<std::size_t>(body)];
+    Vec3 v = W.template head<3>();
+    if constexpr (Dof == 6) v += W.template tail<3>().cross(attachment(body, p, bodies).r);
+    return v;
+  };
+  return (velocity(joint.j, joint.p_j) - velocity(joint.i, joint.p_i)).squaredNorm();
+}
+
 /// Returns the rows of limits and ropes without a k of their own. A step in which one opens by less than 1e-9 of its
-/// range, or than 1e-9 rad, does not count.
+/// range, or than 1e-9 rad, does not count. A taut rope that swings at a speed v leaves its circle by v² h²/(2 l) in
+/// each step, and opens at v² h/(2 l) to come back to it: that is no recovery. Where it turns, v is 0, and what it opens
+/// from the steps before is less than a hundredth of |gravity| h.
 template <int Dof>
 std::vector<RigidLimit> World<Dof>::rigid_limits(double h) const {
   std::vector<RigidLimit> limits;
@@ -16,8 +30,10 @@ std::vector<RigidLimit> World<Dof>::rigid_limits(double h) const {
     const bool is_hinge = joint.kind == JointKind::hinge, is_rope = joint.kind == JointKind::rope;
     if (!(is_rope || joint.limits) || !(is_hinge ? joint.has_default_k_turn : joint.has_default_k)) continue;
     const double range = is_hinge ? 1 : is_rope ? *joint.length : joint.limits->upper - joint.limits->lower;
+    const double swings =
+        is_rope ? squared_speed(joint, bodies_) * h / range + 1e-2 * settings_.gravity.norm() * h : 0;
     limits.push_back({.row = joint_rows_[n] + static_cast<std::size_t>(is_rope ? 0 : joint.holding_rows()),
-                      .ignored = 1e-9 * (std::isfinite(range) ? range : 0) / h});
+                      .ignored = 1e-9 * (std::isfinite(range) ? range : 0) / h + swings});
   }
   return limits;
 }

@@ -262,7 +262,7 @@ template <int Dof>
 StepReport World<Dof>::report() const {
   return {.pairs = pairs_,
           .contacts = static_cast<int>(contacts_.size()),
-          .impacts = impacts_,
+          .impacts = static_cast<int>(impacts_.size()),
           .rows = static_cast<int>(rows().size()),
           .iterations = static_cast<int>(solved_.history.size()),
           .residual = settings_.stepper                 ? (solved_.history.empty() ? 0 : solved_.history.back())

@@ -195,7 +195,7 @@ void World<Dof>::restitute() {
     impact.Sigma = 0;
     impact.diagonal = rigid_diagonal(impact);
     impact.B = -materials_.of(contacts_[c].i, contacts_[c].j).restitution * speed;
-    if (update_row(impact, bodies_.motion.W) > 0) ++impacts_;
+    if (update_row(impact, bodies_.motion.W) > 0) impacts_.push_back({contacts_[c].i, contacts_[c].j, -speed});
   }
 }
 

@@ -19,6 +19,10 @@ inline void state_of(StateStream& s, Contact& contact) {
   s(contact.i, contact.j, contact.n, contact.gap, contact.r_i, contact.r_j);
 }
 
+inline void state_of(StateStream& s, Impact& impact) {
+  s(impact.i, impact.j, impact.speed);
+}
+
 inline void state_of(StateStream& s, FrictionContact& contact) {
   s(contact.normal, contact.mu);
 }
