@@ -422,10 +422,10 @@ class BusyTree(unittest.TestCase):
                 fcntl.flock(lock, fcntl.LOCK_EX)
                 timer = threading.Timer(0.2, fcntl.flock, (lock, fcntl.LOCK_UN))
                 timer.start()
-                with busy._alone():
+                with busy.alone():
                     timer.join()
             self.assertRegex(said.getvalue(), r"^waiting for another \./course command that builds in .*\n$")
-            with busy._alone():
+            with busy.alone():
                 pass
             self.assertEqual(said.getvalue().count("waiting"), 1)
 
