@@ -46,6 +46,12 @@ class Questions(unittest.TestCase):
                     self.assertTrue(text.endswith("?") or text.endswith(".") or "g = 9.81" in text, text)
                     self.assertNotRegex(text + answer, r"\bnan\b|\binf\b|None|\{|e[−-]1[3-9]")
 
+    def test_one_of_a_thing_is_not_called_several(self):
+        for one in self.by_id.values():
+            for seed in SEEDS:
+                for text in one.drawn(seed):
+                    self.assertNotRegex(text, r"(?<![\d.,^−-])\b1 (?!times\b)[a-z]+[^\Ws]s\b", one.id)
+
     def drawn(self, key: str):
         for seed in SEEDS:
             yield self.by_id[key].drawn(seed)
