@@ -632,6 +632,8 @@ class Told(Finds):
         self.assertEqual(note, f"of exercises that are not asked for now: {WHERE} (1.1 kick)")
 
     def test_what_cannot_be_read_is_not_called_empty(self):
+        for also in ("chapters/drift.cpp", "chapters/01_leapfrog/drift.cpp", "chapters/08_pairs/plane_ball.cpp"):
+            self.assertEqual(self.notes({WHERE: KICK, also: b"x"}), [], also)
         note, = self.notes({"chapters/work.rar": b"Rar!"})
         self.assertIn("this kind of archive is not read", note)
         self.assertIn("chapters/essay.txt", self.notes({"chapters/essay.txt": b"x"})[0])

@@ -103,7 +103,7 @@ class Exports(unittest.TestCase):
     def test_github_kit_is_a_workflow(self):
         self.export("github", "--chapters", "1-3", "--out", "classroom.yml")
         text = (self.room.root / "classroom.yml").read_text()
-        self.assertIn("grade submission --out results --chapters 1,2,3\n", text)
+        self.assertIn("grade submission --out results --chapters 1-3\n", text)
         self.assertIn("token: ${{ secrets.COURSE_TOKEN || github.token }}", text)
         self.assertNotIn("@", text.replace("actions/checkout@v4", "").replace("autograding-grading-reporter@v1", ""))
         self.assertEqual(text.count("\t"), 0)

@@ -25,7 +25,7 @@ _OF_A_ROSTER = {"canvas": "the gradebook that Canvas exports", "moodle": "the as
 def export(arguments) -> int:
     what, out = arguments.what, arguments.out
     if what == "weights":
-        return _write(weights.table(), out)
+        return _write(weights.table(arguments.chapters), out)
     if arguments.results:
         results = [result for path in arguments.results for result in _read(Path(path))]
         _weigh_again(results, arguments)

@@ -25,6 +25,7 @@ from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import ROOT, shown
 from slurm import run_array
+from pick import as_list
 from sources import need_sources
 from terminal import fold
 
@@ -144,7 +145,7 @@ def _for_a_shard(arguments) -> list[str]:
         if (value := getattr(arguments, name)) is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
     if arguments.chapters:
-        words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
+        words += ["--chapters", as_list(arguments.chapters)]
     if arguments.hidden:
         words += ["--hidden", str(Path(arguments.hidden).absolute())]
     return words + (["--fresh"] if arguments.fresh else [])

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from errors import BadInput, CourseError
+from errors import CourseError
 from grading.confined import STOP, Interrupted
 from grading.isolation import User, choose, take_user
 from grading.judge import PASSED, ExerciseVerdict, Judge
@@ -19,8 +19,9 @@ from grading.submission import Handed, Source, Submission
 from grading.text import one_line
 from grading.weights import read_weights
 from grading.workshop import Workshop, check_hidden
-from manifest import Chapter, Exercise, read_chapters
+from manifest import Exercise, all_exercises
 from paths import BUILD, SOLUTIONS
+from pick import chapters_of
 from terminal import Bar
 
 _MEMORY = BUILD / "grade"
@@ -28,12 +29,12 @@ _LONGEST = 2000  # characters of a note
 
 
 class Grader:
-    """Grades with one choice of chapters, tests, seed and limits; the reference first."""
+    """Grades with one choice of exercises, tests, seed and limits; the reference first."""
 
     def __init__(self, arguments):
         self.seed = arguments.seed if arguments.seed is not None else 1
-        self.chapters = _chosen(arguments.chapters)
-        self.exercises = [exercise for chapter in self.chapters for exercise in chapter.exercises]
+        self.exercises = list(arguments.chapters or all_exercises())
+        self.chapters = chapters_of(self.exercises)
         self.failures: list[str] = []
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
@@ -198,13 +199,3 @@ def _end(pool: ThreadPoolExecutor) -> None:
     if sys.exc_info()[0] is not None:
         STOP.set()
     pool.shutdown(cancel_futures=True)
-
-
-def _chosen(numbers: set[int] | None) -> list[Chapter]:
-    chapters = read_chapters()
-    if numbers is None:
-        return chapters
-    unknown = numbers - {chapter.number for chapter in chapters}
-    if unknown:
-        raise BadInput(f"grade: there is no chapter {min(unknown)}; chapters are 1 to {chapters[-1].number}")
-    return [chapter for chapter in chapters if chapter.number in numbers]

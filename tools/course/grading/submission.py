@@ -96,7 +96,8 @@ def read_submission(handed: Handed, exercises: list[Exercise], attempt: str = AT
     if not found:
         _say_what_is_there(submission, seen)
     else:
-        others = [name for name in seen if _is_worth_a_line(name)]
+        known = all_exercises()
+        others = [name for name in seen if _is_worth_a_line(name) and not rank_of(PurePosixPath(name), known)]
         if others:
             submission.notes.append(f"{NOT_TAKEN}: {_listed(others)}")
     submission.notes = _cut(submission.notes)
