@@ -31,7 +31,7 @@ import tree
 import verdict
 from errors import BadInput, CourseError
 from manifest import all_exercises, numbered_items
-from marker import code_of, is_stub, marker_line
+from marker import code_of, is_empty, is_stub, marker_line
 from needs import NEEDS, Need
 from pick import as_list, chapters_of, pick_list
 
@@ -60,6 +60,12 @@ class Marker(unittest.TestCase):
                                 cwd=sandbox.TOOLS / "course")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(is_stub('"\\"\nnot_implemented();'))
+
+    def test_a_file_without_code_is_empty(self):
+        for source in ("", " \t\r\n", "\ufeff", "// kick\n", "/* Vec3 kick() {}\n*/\n// x", "/* no end"):
+            self.assertTrue(is_empty(source), source)
+        for source in ("x", '#include "a.hpp"', "namespace spook {}", "// a\nint x;", "/* */ ;"):
+            self.assertFalse(is_empty(source), source)
 
     def test_line(self):
         self.assertEqual(marker_line("/* \n */\n\nnot_implemented();"), 4)

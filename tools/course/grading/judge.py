@@ -18,7 +18,7 @@ from grading.pair import SLOW, Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
-from marker import is_stub
+from marker import is_empty, is_stub
 
 PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE = "passed", "failed", "not started", "does not compile"
 TIMED_OUT, CRASHED, OUT_OF_MEMORY = "timed out", "crashed", "out of memory"
@@ -107,6 +107,8 @@ class Judge:
             return _all(tests, verdict, "file not taken", source.problem)
         key = self._key(exercise, source)
         known = self._recall(key)
+        if is_empty(source.text):
+            return _all(tests, NOT_STARTED, "file empty", f"{source.path} has no code.")
         if known is None or [test.test for test in known.tests] != tests:
             known, certain = self._judge_anew(exercise, source, tests, user)
             right = all(test.verdict == PASSED for test in known.tests)
