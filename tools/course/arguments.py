@@ -172,8 +172,10 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
                          help="chapters and exercises to export: 1-5, or 1-7,8.1-8.4 (default: all)")
     command.add_argument("--hidden", metavar="DIR", help="folder of hidden tests for the platform")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of random inputs on the platform")
+    command.add_argument("--hidden-seed", type=_seed, metavar="S", help="seed of tests that students do not see there")
     command.add_argument("--weights", metavar="FILE", help="table of points, for a kit or to score results again")
-    command.add_argument("--points", choices=RULES, help="points for whole exercises, or for each test")
+    command.add_argument("--points", choices=RULES,
+                         help="points for whole exercises, for each test, or for all exercises alike")
     command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="time limit of a test on the platform")
     command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table exported by the platform")
     command.add_argument("--assignment", default="Assignment", metavar="TITLE",
@@ -231,12 +233,14 @@ def _add_grade(command: Parser) -> None:
                          help="output folder (default: build/grades)")
     command.add_argument("--seed", type=_seed, metavar="S",
                          help="seed of random inputs (default: 1), which is recorded")
+    command.add_argument("--hidden-seed", type=_seed, metavar="S",
+                         help="seed of tests that students do not see, which no report states (default: --seed)")
     command.add_argument("--hidden", metavar="DIR",
                          help="folder of further tests, NN_topic/*.cpp, and their weights.csv")
     command.add_argument("--weights", default=str(TABLE), metavar="FILE",
                          help="table of points, titles, hints, visibility (default: tests/weights.csv)")
     command.add_argument("--points", choices=RULES, default=RULES[0],
-                         help="points for whole exercises (default), or for each test")
+                         help="points for whole exercises (default), for each test, or for all exercises alike")
     command.add_argument("--attempt", choices=ATTEMPTS, default=ATTEMPTS[0],
                          help="which of a student's attempts on a platform counts (default: last)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",

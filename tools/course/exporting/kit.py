@@ -36,6 +36,8 @@ def options(arguments, hidden_at: str, weights_at: str) -> str:
         words += ["--chapters", as_list(arguments.chapters)]
     if arguments.seed is not None:
         words += ["--seed", str(arguments.seed)]
+    if arguments.hidden_seed is not None:
+        words += ["--hidden-seed", str(arguments.hidden_seed)]
     if arguments.time_limit is not None:
         words += ["--time-limit", str(arguments.time_limit)]
     if arguments.points:

@@ -139,8 +139,8 @@ def _draw(file: Path, results: list[dict]) -> bool:
 def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: bool, of_class: Class) -> str:
     settings = results[0]
     lines = ["# The class\n", f"{statistics_line(results)}. {RULE[settings['points']]}\n",
-             f"Seed {settings['seed']}; {settings['seconds_a_test']} s of processor time a test; isolation: "
-             f"{', '.join(sorted({result['isolation'] for result in results}))}.\n"]
+             f"Seed {settings['seed']}{_of_hidden(results)}; {settings['seconds_a_test']} s of processor time a test; "
+             f"isolation: {', '.join(sorted({result['isolation'] for result in results}))}.\n"]
     if figure:
         lines.append("![Histogram of the points](histogram.png)\n")
     if left_out := not_graded(results, of_class):
@@ -169,3 +169,9 @@ def _exercises(results: list[dict]) -> list[str]:
                      + " | ".join(str(states.count(state)) for state in ("done", "wrong", "not started"))
                      + f" | {statistics.fmean(one['score'] for one in all_of_it):.2f} | {exercise['max_score']:g} |")
     return lines + [""]
+def _of_hidden(results: list[dict]) -> str:
+    """Names the other seed of tests that students do not see; results of before it was one have the same seed."""
+    other = results[0].get("hidden_seed", results[0]["seed"])
+    return f", of hidden tests {other}" if other != results[0]["seed"] else ""
+
+

@@ -33,6 +33,7 @@ class Grader:
 
     def __init__(self, arguments):
         self.seed = arguments.seed if arguments.seed is not None else 1
+        self.hidden_seed = arguments.hidden_seed if arguments.hidden_seed is not None else self.seed
         self.exercises = list(arguments.chapters or all_exercises())
         self.chapters = chapters_of(self.exercises)
         self.failures: list[str] = []
@@ -53,8 +54,10 @@ class Grader:
                         for test in self._workshop.expected_tests(exercise)}
             idle = self._workshop.idle_tests() if hidden else set()
             self._weights.check(expected, self._workshop.hidden_tests, idle)
+            self.unseen = {test for test in expected if self._weights.of(test).visibility != "visible"}
+            self._seeds = dict.fromkeys(self.unseen, self.hidden_seed)
             self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds, arguments.exercise_time,
-                                _MEMORY, arguments.fresh)
+                                _MEMORY, arguments.fresh, self._seeds)
             for _ in range(self._jobs):
                 self._users.put(take_user(self.isolation))
             self._grade_reference()
@@ -162,8 +165,8 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8", errors="replace")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "seconds_a_test": self._seconds,
-                    "isolation": self.isolation.name,
+        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "hidden_seed": self.hidden_seed,
+                    "seconds_a_test": self._seconds, "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 
@@ -180,8 +183,9 @@ class Grader:
                 bar.step()
                 for test in tests:
                     if test.verdict != "passed":
+                        seed = self._seeds.get(test.test, self.seed)
                         raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
-                                          f"{self.seed}; nothing is graded", test.message)
+                                          f"{seed}; nothing is graded", test.message)
         finally:
             _end(pool)
             bar.done()
