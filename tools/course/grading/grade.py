@@ -9,6 +9,7 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from exporting import gradescope
 from grading.delivery import Delivery, find_submissions
+from grading.feedback import FEEDBACK
 from grading.gradebook import Class, not_graded, statistics_line, uncertain, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
@@ -24,8 +25,8 @@ from machine import require_linux
 from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import ROOT, shown
-from slurm import run_array
 from pick import as_list
+from slurm import run_array
 from sources import need_sources
 from terminal import counted, fold
 
@@ -195,7 +196,9 @@ def _say_who_is_missing(lines: list[str]) -> None:
 
 
 def _where(out: Path) -> str:
-    return f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}"
+    told = f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}"
+    feedback = out / FEEDBACK
+    return told + (f", reports for Moodle in {shown(feedback)}" if feedback.exists() else "")
 
 
 def _prepare(arguments) -> int:
@@ -228,9 +231,6 @@ def _say_how(grader: Grader, count: int) -> None:
     _say_what_is_open(grader.isolation)
 
 
-def _say_what_is_open(isolation: Isolation) -> None:
-    if isolation.does_not_deny:
-        print(fold(f"This isolation does not deny {isolation.does_not_deny}."), flush=True)
 def _of_hidden(grader: Grader) -> str:
     if not grader.unseen:
         return ""
@@ -239,3 +239,6 @@ def _of_hidden(grader: Grader) -> str:
     return f", of hidden tests {grader.hidden_seed}"
 
 
+def _say_what_is_open(isolation: Isolation) -> None:
+    if isolation.does_not_deny:
+        print(fold(f"This isolation does not deny {isolation.does_not_deny}."), flush=True)

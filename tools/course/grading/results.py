@@ -27,6 +27,7 @@ def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVer
         "student": submission.student.name,
         "identifier": submission.student.identifier,
         "late": submission.student.late,
+        "platform": submission.student.platform,
         "score": _sum(exercises, "score"),
         "max_score": _sum(exercises, "max_score"),
         **settings,
