@@ -18,7 +18,7 @@ from errors import CourseError
 from grading.copies import Copies
 from grading.isolation import choose, take_user
 from grading.objects import _defined_elsewhere, make
-from grading.reference import callable_from
+from grading.reference import Reference, callable_from
 from grading.submission import Source
 from grading.workshop import CHECK, Workshop
 from manifest import read_chapters
@@ -188,6 +188,22 @@ class OneBuild(unittest.TestCase):
         self.addCleanup(workshop.close)
         self.assertEqual(len(copied), 2)
         self.assertEqual(self.workshop.build, workshop.build)
+
+    def test_an_object_is_known_by_the_functions_that_it_calls(self):
+        """From one call of nm: with one for each object every grading began half a minute later."""
+        calls = []
+
+        def ran(command: list[str], folder: Path) -> str:
+            calls.append(command[0])
+            return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.reference._ran", ran):
+            reference = Reference(self.workshop._archive, Path(folder))
+            names = {file.name for file in (Path(folder) / "members").iterdir()}
+        self.assertLess(len(calls), 6)
+        self.assertLessEqual(set(reference._asked), names)
+        composed = reference._asked["composed_step.cpp.o"]
+        self.assertLessEqual(reference.symbols["kick"], composed)
+        self.assertEqual(reference.symbols["composed_step"] & composed, set())
 
     def test_nothing_of_the_build_is_read_afterwards(self):
         """Neither by the compiler nor by the linker, and the archives that the linker has name no file there."""
