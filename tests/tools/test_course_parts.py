@@ -29,10 +29,11 @@ import terminal
 import text_encoding
 import tree
 import verdict
-from errors import CourseError
-from manifest import numbered_items
-from marker import code_of, is_stub, marker_line
+from errors import BadInput, CourseError
+from manifest import all_exercises, numbered_items
+from marker import code_of, is_empty, is_stub, marker_line
 from needs import NEEDS, Need
+from pick import as_list, chapters_of, pick_list
 
 
 class Marker(unittest.TestCase):
@@ -60,8 +61,38 @@ class Marker(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(is_stub('"\\"\nnot_implemented();'))
 
+    def test_a_file_without_code_is_empty(self):
+        for source in ("", " \t\r\n", "\ufeff", "// kick\n", "/* Vec3 kick() {}\n*/\n// x", "/* no end"):
+            self.assertTrue(is_empty(source), source)
+        for source in ("x", '#include "a.hpp"', "namespace spook {}", "// a\nint x;", "/* */ ;"):
+            self.assertFalse(is_empty(source), source)
+
     def test_line(self):
         self.assertEqual(marker_line("/* \n */\n\nnot_implemented();"), 4)
+
+
+class Lists(unittest.TestCase):
+    """Lists of chapters and exercises, as --chapters takes them."""
+
+    def test_a_list_is_written_and_read(self):
+        for text, ids, short in (("1-2", 12, "1-2"), ("1.2", 1, "1.2"), ("kick,drift", 2, "1.1-1.2"),
+                                 ("2,1.1-1.3", 10, "1.1-1.3,2"), ("1.4-2.1", 3, "1.4-1.5,2.1"), ("01_leapfrog,1.1", 5, "1"),
+                                 ("1.1-1.5", 5, "1"), ("8.9-8.12 , 8.1-8.4", 8, "8.1-8.4,8.9-8.12"),
+                                 ("1-3,5", 24, "1-3,5"), ("kick-1.3", 3, "1.1-1.3")):
+            with self.subTest(text):
+                found = pick_list(text)
+                self.assertEqual((len(found), as_list(found)), (ids, short))
+                self.assertEqual(pick_list(short), found)
+                self.assertEqual([one for one in all_exercises() if one in found], list(found))
+
+    def test_every_chapter_of_an_exercise_is_whole(self):
+        self.assertEqual([(one.number, len(one.exercises)) for one in chapters_of(pick_list("1.2,3.1"))], [(1, 5), (3, 5)])
+
+    def test_what_is_no_list_is_named(self):
+        for text, told in (("", "''"), ("5-2", "'5-2' ends before it begins"), ("1-", "'1-'"), ("1,,2", "''"),
+                           ("77", "no chapter 77"), ("8.99", "'8.99'"), ("1-x", "'x'")):
+            with self.subTest(text), self.assertRaisesRegex(BadInput, told):
+                pick_list(text)
 
 
 class Crash(unittest.TestCase):
@@ -422,10 +453,10 @@ class BusyTree(unittest.TestCase):
                 fcntl.flock(lock, fcntl.LOCK_EX)
                 timer = threading.Timer(0.2, fcntl.flock, (lock, fcntl.LOCK_UN))
                 timer.start()
-                with busy._alone():
+                with busy.alone():
                     timer.join()
             self.assertRegex(said.getvalue(), r"^waiting for another \./course command that builds in .*\n$")
-            with busy._alone():
+            with busy.alone():
                 pass
             self.assertEqual(said.getvalue().count("waiting"), 1)
 

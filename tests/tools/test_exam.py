@@ -46,6 +46,12 @@ class Questions(unittest.TestCase):
                     self.assertTrue(text.endswith("?") or text.endswith(".") or "g = 9.81" in text, text)
                     self.assertNotRegex(text + answer, r"\bnan\b|\binf\b|None|\{|e[−-]1[3-9]")
 
+    def test_one_of_a_thing_is_not_called_several(self):
+        for one in self.by_id.values():
+            for seed in SEEDS:
+                for text in one.drawn(seed):
+                    self.assertNotRegex(text, r"(?<![\d.,^−-])\b1 (?!times\b)[a-z]+[^\Ws]s\b", one.id)
+
     def drawn(self, key: str):
         for seed in SEEDS:
             yield self.by_id[key].drawn(seed)
@@ -190,7 +196,15 @@ class Command(unittest.TestCase):
         self.assertNotIn("*\n", plain.stdout.replace("**", ""))
         answered = box.course("exam", "4", "--seed", "9", "--answers").stdout
         self.assertEqual(len(re.findall(r"^\*[^*].*\*$", answered, re.MULTILINE)), 4)
+        some = box.course("exam", "4.1-4.4,4.7,5.2")
+        self.assertEqual(re.findall(r"^\*\*(\S+)\*\*", some.stdout, re.MULTILINE), ["4.a", "4.b", "4.d", "5.b"])
+        self.assertIn("# Chapters 4.1-4.4, 4.7, 5.2, seed 1\n", some.stdout)
+        self.assertEqual(some.stderr, "")
+        first_half = box.course("exam", "8.1-8.4,8.9-8.12")
+        self.assertEqual(re.findall(r"^\*\*(\S+)\*\*", first_half.stdout, re.MULTILINE), ["8.c", "8.e"])
+        self.assertIn("8.a lacks 8.5, 8.6, 8.8; 8.b lacks 8.8", " ".join(first_half.stderr.split()))
         box.assert_refused(self, ["exam"], ["name the chapters"])
+        box.assert_refused(self, ["exam", "4.5-4.2"], ["'4.5-4.2' ends before it begins"])
         box.assert_refused(self, ["exam", "99"], ["99"])
         box.assert_refused(self, ["exam", "4", "--seed", "x"], ["'x'"])
         box.assert_refused(self, ["exam", "4", "--objectives"], ["--objectives"])

@@ -2,6 +2,7 @@
 
 import bz2
 import contextlib
+import csv
 import io
 import os
 import shutil
@@ -22,10 +23,11 @@ import sandbox  # noqa: F401
 
 from arguments import parse
 from errors import BadInput, CourseError
-from exporting.grades import for_canvas, not_on_it
+from exporting.grades import for_canvas, for_moodle, not_on_it
 from grading import reading
 from grading.archives import LARGEST, names_in
 from grading.delivery import find_submissions
+from grading.feedback import FEEDBACK, write_feedback
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.grade import grade
 from grading.gradebook import Class, _write_grades, cell, not_graded, uncertain
@@ -630,6 +632,8 @@ class Told(Finds):
     def test_a_right_file_that_is_not_asked_for(self):
         note, = self.notes({WHERE: KICK}, ("drift",))
         self.assertEqual(note, f"of exercises that are not asked for now: {WHERE} (1.1 kick)")
+        for also in ("chapters/drift.cpp", "chapters/01_leapfrog/drift.cpp", "chapters/08_pairs/plane_ball.cpp"):
+            self.assertEqual(self.notes({WHERE: KICK, also: b"x"}), [], also)
 
     def test_what_cannot_be_read_is_not_called_empty(self):
         note, = self.notes({"chapters/work.rar": b"Rar!"})
@@ -765,7 +769,10 @@ class Names(Finds):
 
 class Rosters(InFolder):
     def result(self, name: str, student: str = "", identifier: str = "") -> dict:
-        return {"submission": name, "student": student or name, "identifier": identifier, "score": 3, "max_score": 5}
+        return {"submission": name, "student": student or name, "identifier": identifier, "score": 3, "max_score": 5,
+                "late": False, "notes": [], "exercises": [
+                    {"id": f"1.{k}", "function": function, "chapter": "01_leapfrog", "state": "done", "score": points,
+                     "max_score": points, "tests": []} for k, function, points in ((1, "kick", 3), (2, "drift", 2))]}
 
     def roster(self, text: str):
         return read_roster(self.put({"roster.csv": text.encode("utf-8-sig")}) / "roster.csv")
@@ -855,6 +862,86 @@ class Rosters(InFolder):
             found, missing, _ = roster.matched([self.result("Participant_101", identifier="101")])
             self.assertEqual((len(found), [roster.name_of(row) for row in missing]), (1, ["Participant 102"]))
 
+    # By language: titles of the worksheet, the word for a participant, and the state of a submission.
+    WORKSHEETS = {
+        "en": ("Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed",
+               "Participant ", "No submission"),
+        "de": ("ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Beste Bewertung,Bewertung kann geändert werden",
+               "Teilnehmer/in ", "Keine Abgabe"),
+        "fr": ("Identifiant,Nom complet,Adresse de courriel,Statut,Note,Note maximale,La note peut être modifiée",
+               "Participant·e ", "Aucun travail remis"),
+        "es": ("Identificador,Nombre completo,Dirección de correo,Estado,Calificación,Calificación máxima,Se puede cambiar",
+               "Participante ", "Sin entrega"),
+        "it": ("Identificativo,Nome completo,Indirizzo email,Stato,Valutazione,Valutazione massima,Può essere modificata",
+               "Partecipante ", "Nessuna consegna"),
+        "pt": ("Identificador,Nome completo,Endereço de email,Estado,Nota,Nota máxima,A nota pode ser alterada",
+               "Participante ", "Nenhum envio"),
+        "nl": ("Identificatie,Volledige naam,E-mailadres,Status,Cijfer,Maximumcijfer,Cijfer kan gewijzigd worden",
+               "Deelnemer ", "Geen inzending"),
+        "zh": ("标识符,全名,电子邮件地址,状态,成绩,最高分,成绩可以更改", "参与者", "没有提交"),
+    }
+
+    def worksheet(self, language: str, *students: tuple[str, str], largest: str = "100.00", hidden: bool = False) -> str:
+        titles, word, state = self.WORKSHEETS[language]
+        titles = titles.split(",")[:2 - hidden] + titles.split(",")[2 + hidden:]
+        rows = [f'{word}{number},{"" if hidden else f"{name},a{number}@x.edu,"}{state},,"{largest}",+'
+                for number, name in students]
+        return "\n".join([",".join(titles), *rows]) + "\n"
+
+    def test_moodles_worksheet_in_any_language(self):
+        results = [self.result("leeann", identifier="101"), self.result("Bo Ek")]
+        for language in self.WORKSHEETS:
+            with self.subTest(language):
+                roster = self.roster(self.worksheet(language, ("101", "Ann Lee"), ("102", "Bo Ek"), ("103", "Cy Oh")))
+                self.assertEqual([(roster.name_of(row), roster.number_of(row)) for row in roster.rows],
+                                 [("Ann Lee", "101"), ("Bo Ek", "102"), ("Cy Oh", "103")])
+                found, missing, strangers = roster.matched(results)
+                self.assertEqual((set(found), strangers), ({"leeann", "Bo Ek"}, []))
+                self.assertEqual([roster.name_of(row) for row in missing], ["Cy Oh"])
+                rows = list(csv.reader(io.StringIO(for_moodle(results, roster))))
+                self.assertEqual(tuple(rows[0]), roster.columns)
+                self.assertEqual([row[4:6] for row in rows[1:]], [["60.00", "100.00"], ["60.00", "100.00"], ["", "100.00"]])
+
+    def test_moodles_worksheet_with_a_decimal_comma_and_without_names(self):
+        roster = self.roster(self.worksheet("de", ("101", ""), ("102", ""), ("103", ""), largest="20,00", hidden=True))
+        self.assertEqual(roster.name_of(roster.rows[0]), "Teilnehmer/in 101")
+        rows = list(csv.reader(io.StringIO(for_moodle([self.result("Teilnehmer_in 101", identifier="101")], roster))))
+        self.assertEqual([row[2:4] for row in rows[1:]], [["12,00", "20,00"], ["", "20,00"], ["", "20,00"]])
+
+    def test_what_is_no_worksheet_is_said(self):
+        """Without a maximum, or with numbers that are no participants: nothing is guessed."""
+        for text in ("Kennung,Name,Note\nTeilnehmer 1,Ann,\nTeilnehmer 2,Bo,\n", "Name,Note,Beste\nAnn,,100\nBo,,100\n",
+                     "Kennung,Name,Note,Beste\nTeilnehmer 1,Ann,,100\nTeilnehmer 1,Bo,,100\n",
+                     "Kennung,Name,Note,Beste\nTeilnehmer 1,Ann,,100\nTeilnehmer 2,Bo,,20\n"):
+            with self.subTest(text), self.assertRaisesRegex(BadInput, "the assignment's grading worksheet"):
+                for_moodle([self.result("Ann")], self.roster(text))
+
+    def test_a_login_with_a_number_is_no_platforms_number(self):
+        roster = self.roster("Login,Name\nuser101,Ann Lee\nuser102,Bo Ek\n")
+        self.assertEqual(roster.matched([self.result("x", identifier="101")])[0], {})
+
+    def test_tables_of_other_languages(self):
+        for text in ("Nachname;Vorname;E-Mail\nLee;Ann;a@x.edu\n", "Nom;Prénom;Courriel\nLee;Ann;a@x.edu\n",
+                     "Apellidos;Nombre;Correo\nLee;Ann;a@x.edu\n", "Cognome;Nome;Posta\nLee;Ann;a@x.edu\n"):
+            roster = self.roster(text)
+            found, _, strangers = roster.matched([self.result("Ann Lee"), self.result("A", identifier="a@x.edu")])
+            self.assertEqual((set(found), strangers), ({"A"}, ["Ann Lee"]), text)  # the address is certain
+
+    def test_who_handed_in_nothing_has_the_same_columns(self):
+        """Names, numbers and 0 points, as in the rows of the others; the roster also tells numbers that no platform did."""
+        roster = self.roster(self.worksheet("en", ("101", "Ann Lee"), ("102", "Bo Ek"), ("103", "Cy Oh")))
+        results = [self.result("Ann Lee", identifier="101"), self.result("Bo Ek")]
+        _write_grades(self.root / "grades.csv", results, Class([], roster))
+        with (self.root / "grades.csv").open(encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["student"], row["identifier"]) for row in rows],
+                         [("Ann Lee", "101"), ("Bo Ek", "102"), ("Cy Oh", "103")])
+        self.assertEqual([(row["1.1 kick"], row["1.2 drift"], row["01_leapfrog"]) for row in rows],
+                         [("3", "2", "5")] * 2 + [("0", "0", "0")])
+        self.assertEqual([(row["score"], row["max_score"], row["not started"]) for row in rows][-1], ("0", "5", "2"))
+        self.assertNotIn(None, rows[-1])
+        self.assertNotIn(None, rows[-1].values())
+
     def test_what_spreadsheets_write_above_the_titles(self):
         for above in ("sep=;\n", "\n\n", " \r\nsep=;\r\n"):
             roster = self.roster(f"{above}E-Mail;Name\nann@x.edu;Ann\n")
@@ -866,6 +953,58 @@ class Rosters(InFolder):
         for text in ("", "a,b\n1,2\n"):
             with self.assertRaisesRegex(BadInput, "no column of names"):
                 self.roster(text)
+
+
+class Feedback(InFolder):
+    """feedback.zip, which Moodle takes back: the report of each student who is known by its number."""
+
+    @staticmethod
+    def folder_taken_by_moodle(path: str) -> tuple[str, str] | None:
+        """Returns the participant's number and the file, as Moodle reads a path; see assignfeedback_file_zip_importer."""
+        parts = path.split("/")
+        while parts:
+            info = parts.pop(0).split("_", 4)
+            if len(info) >= 4 and info[1].isdecimal() and info[2:4] == ["assignsubmission", "file"]:
+                return info[1], "/".join(filter(None, [*info[4:], *parts]))
+        return None
+
+    def write(self, names: dict[str, bytes]) -> dict[tuple[str, str] | None, str]:
+        """Delivers, writes a report for each submission, and returns what Moodle makes of the zip."""
+        results = []
+        for one in find_submissions([self.put(names)], self.root / "out").handed:
+            folder = folder_of(self.root / "out", one.name)
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / "report.md").write_text(f"of {one.student.name}", encoding="utf-8")
+            results.append({"submission": one.name, "student": one.student.name, "identifier": one.student.identifier,
+                            "platform": one.student.platform})
+        written = write_feedback(self.root / "out", results)
+        if not written:
+            return {}
+        with zipfile.ZipFile(written) as archive:
+            return {self.folder_taken_by_moodle(name): archive.read(name).decode() for name in archive.namelist()}
+
+    def test_each_student_has_the_report(self):
+        found = self.write(Delivered.MOODLE)
+        names = ("Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus")
+        self.assertEqual(found, {(str(101 + k), "report.md"): f"of {name}" for k, name in enumerate(names)})
+
+    def test_loose_files_and_odd_names(self):
+        found = self.write({"Bo_Ek_102_assignsubmission_file_kick.cpp": KICK,
+                            "Ann_9_Lee_101_assignsubmission_file_/kick.cpp": KICK,
+                            "Ed_105_assignsubmission_file_x_106_assignsubmission_file_kick.cpp": KICK})
+        self.assertEqual(found, {("102", "report.md"): "of Bo_Ek", ("101", "report.md"): "of Ann_9_Lee"})
+
+    def test_other_deliveries_have_none_and_an_old_one_is_removed(self):
+        self.assertTrue(self.write(Delivered.MOODLE))
+        shutil.rmtree(self.root / "in")
+        self.assertEqual(self.write({"leeann_12_55_kick.cpp": KICK, "ekbo_13_56_kick.cpp": KICK}), {})
+        self.assertFalse((self.root / "out" / FEEDBACK).exists())
+
+    def test_the_same_reports_give_the_same_bytes(self):
+        self.write(Delivered.MOODLE)
+        first = (self.root / "out" / FEEDBACK).read_bytes()
+        self.write(Delivered.MOODLE)
+        self.assertEqual((self.root / "out" / FEEDBACK).read_bytes(), first)
 
 
 class Records(InFolder):

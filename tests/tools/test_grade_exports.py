@@ -92,6 +92,7 @@ class Exports(unittest.TestCase):
                             (("canvas", self.marks.folder), "needs --roster FILE"),
                             (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "cannot be read"),
                             (("csv", self.marks.folder, "--time-limit", "3"), f"graded with {SECONDS_A_TEST} s a test"),
+                            (("csv", self.marks.folder, "--chapters", "1-2"), "2.1 quaternion_rate was not graded in these"),
                             (("gradescope", "--weights", self.room.root / "none.csv"), "no table of weights"),
                             (("gradescope", "--hidden", self.room.root / "nowhere"), "no hidden tests in"),
                             (("github", "--hidden", self.room.root), "cannot be kept from those")):
@@ -103,7 +104,7 @@ class Exports(unittest.TestCase):
     def test_github_kit_is_a_workflow(self):
         self.export("github", "--chapters", "1-3", "--out", "classroom.yml")
         text = (self.room.root / "classroom.yml").read_text()
-        self.assertIn("grade submission --out results --chapters 1,2,3\n", text)
+        self.assertIn("grade submission --out results --chapters 1-3\n", text)
         self.assertIn("token: ${{ secrets.COURSE_TOKEN || github.token }}", text)
         self.assertNotIn("@", text.replace("actions/checkout@v4", "").replace("autograding-grading-reporter@v1", ""))
         self.assertEqual(text.count("\t"), 0)
@@ -115,13 +116,13 @@ class Exports(unittest.TestCase):
         (hidden / "one_test.cpp").write_text("// a test")
         table = room / "my_weights.csv"
         table.write_text("test,points,visibility,hint,title\nKick.LeavesAFixedBodyAlone,7,visible,1.1/1,Fixed\n")
-        words = ("--chapters", "1", "--weights", table, "--time-limit", "3", "--points", "tests")
+        words = ("--chapters", "1", "--weights", table, "--hidden-seed", "5", "--time-limit", "3", "--points", "tests")
         self.export("gradescope", *words, "--hidden", hidden.parent, "--out", "kit.zip")
         with zipfile.ZipFile(room / "kit.zip") as archive:
             self.assertEqual(archive.read("weights.csv"), table.read_bytes())
             self.assertEqual(archive.read("hidden/01_leapfrog/one_test.cpp"), b"// a test")
             called = archive.read("run_autograder").decode()
-        for option in ("--time-limit 3", "--points tests", '--weights "$root/source/weights.csv"',
+        for option in ("--hidden-seed 5", "--time-limit 3", "--points tests", '--weights "$root/source/weights.csv"',
                        '--hidden "$root/source/hidden"'):
             self.assertIn(option, called)
         self.export("autolab", *words, "--hidden", hidden.parent, "--out", "kit")
@@ -145,6 +146,11 @@ class Exports(unittest.TestCase):
         self.assertIn("hidden test 2", junit)
         by_test = json.loads(self.export("gradescope", self.file("wrong"), "--points", "tests"))
         self.assertEqual(by_test["score"], sum(test["score"] for test in by_test["tests"]))
+        alike = json.loads(self.export("gradescope", self.file("wrong"), "--points", "equal"))
+        self.assertEqual(alike["score"], 1)
+        self.assertAlmostEqual(sum(test["max_score"] for test in alike["tests"]), 5)
+        fewer = json.loads(self.export("gradescope", self.file("wrong"), "--chapters", "1.1,1.3-1.5"))
+        self.assertEqual((fewer["score"], {test["number"] for test in fewer["tests"]}), (0, {"1.1", "1.3", "1.4", "1.5"}))
 
     def test_canvas_and_moodle(self):
         canvas = self.room.root / "canvas.csv"

@@ -158,6 +158,53 @@ EXERCISE_TEST(Kick, HoldsForSevens) {
         self.assertEqual(weighed.result("clipped")["exercises"][0]["score"], clipped["score"])
         self.assertEqual(weighed.result("right")["score"], marks.result("right")["score"] + 1.5)
 
+    def test_reports_state_no_seed_of_hidden_tests(self):
+        """The seed of the tests that students see is stated, also by their messages, and that of the others is not."""
+        hidden = self.room.root / "hidden" / "01_leapfrog"
+        hidden.mkdir(parents=True)
+        (hidden / "secret_test.cpp").write_text("""
+#include "01_leapfrog/leapfrog.hpp"
+#include "exercise_test.hpp"
+namespace spook::testing {
+EXERCISE(Kick, "1.1 kick");
+EXERCISE_TEST(Kick, HoldsForDrawnForces) {
+  Random random;
+  const Vec3 f = random.vector();
+  expect_near("drawn", "Eq. (1.3)", kick(Vec3::Zero(), f, 1, 1).x(), f.x(), {1e-14, "2 roundings"});
+}
+}
+""")
+        self.room.hand_in("wrong", {"kick.cpp": WRONG.replace("* f", "* -f")})
+        marks = self.room.grade(self.room.handed_in, "--hidden", hidden.parent, "--seed", "512345", "--hidden-seed", "987654")
+        result = marks.result("wrong")
+        self.assertEqual((result["seed"], result["hidden_seed"]), (512345, 987654))
+        told = {test["visibility"]: test["message"] for test in result["exercises"][0]["tests"] if "seed" in test["message"]}
+        self.assertIn("seed 987654", told["hidden"])
+        self.assertIn("seed 512345", told["visible"])
+        report = marks.report("wrong")
+        self.assertIn("./course check 1.1 --seed 512345", report)
+        self.assertNotIn("987654", report)
+        self.assertIn("Seed 512345, of hidden tests 987654;", (marks.folder / "summary.md").read_text())
+
+    def test_exercises_are_chosen_and_count_alike(self):
+        """Others are neither tested nor missing, and hidden tests of theirs stop nothing; each chosen one has a point."""
+        hidden = self.room.root / "hidden" / "01_leapfrog"
+        hidden.mkdir(parents=True)
+        (hidden / "others_test.cpp").write_text('#include "exercise_test.hpp"\nEXERCISE(LeapfrogStep, "1.4 leapfrog_step");\n'
+                                                'EXERCISE_TEST(LeapfrogStep, NeverHolds) { ADD_FAILURE() << "never"; }\n')
+        self.room.hand_in("both", {"kick.cpp": right("kick"), "half_step_start.cpp": right("half_step_start")})
+        self.room.hand_in("one", {"kick.cpp": right("kick"), "drift.cpp": "nonsense"})
+        marks = self.room.grade(self.room.handed_in, "--points", "equal", "--hidden", hidden.parent, chapters="1.1,1.3")
+        for name, score in (("both", 2), ("one", 1)):
+            result = marks.result(name)
+            self.assertEqual([exercise["id"] for exercise in result["exercises"]], ["1.1", "1.3"])
+            self.assertEqual((result["score"], result["max_score"], result["notes"]), (score, 2, []), name)
+            self.assertNotIn("1.2", marks.report(name))
+        header, *rows = (marks.folder / "grades.csv").read_text().splitlines()
+        self.assertTrue(header.endswith(",look,1.1 kick,1.3 half_step_start"), header)
+        self.assertEqual([row.rpartition(",,")[2] for row in rows], ["1,1", "1,0"])
+        self.assertIn("1.3 half_step_start", marks.report("one"))
+
     def test_a_test_that_the_reference_fails_stops_the_grading(self):
         hidden = self.room.root / "hidden" / "01_leapfrog"
         hidden.mkdir(parents=True)
@@ -179,7 +226,8 @@ EXERCISE_TEST(Kick, HoldsForSevens) {
                 (("empty",), "empty holds no submission"),
                 (("text.txt",), "neither a folder nor a zip, tar.gz or 7z"),
                 ((), "a submission, or a folder of them, is needed"),
-                (("handed in", "--chapters", "5-2"), "must be a list of chapters such as 1-5 or 1,3,5-7, but is '5-2'"),
+                (("handed in", "--chapters", "5-2"), "'5-2' ends before it begins"),
+                (("handed in", "--chapters", "1,1.9"), "there is no exercise '1.9'"),
                 (("handed in", "--chapters", "77"), "there is no chapter 77"),
                 (("handed in", "--jobs", "0"), "must be a whole number from 1 to 9999, but is '0'"),
                 (("handed in", "--shard", "4/3"), "must be I/N with 1 <= I <= N, but is '4/3'"),

@@ -21,22 +21,24 @@ from errors import CourseError
 from grading.complaints import compiler_says
 from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
-from grading.choices import ISOLATIONS
+from grading.choices import ISOLATIONS, RULES
 from grading.isolation import ENVIRONMENT, User, choose, take_user
-from grading.judge import DOES_NOT_COMPILE, NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.judge import (CRASHED, DOES_NOT_COMPILE, FAILED, NOT_RUN, NOT_STARTED, PASSED, TIMED_OUT, WAITED,
+                           ExerciseVerdict, Judge, TestVerdict)
 from grading.names import Student
 from grading.objects import Made, _not_compiled, _not_linked, _readable, make, options_of
 from grading.pair import Ran, _only_on, _take_core, exit_code
+from grading.results import score
 from grading.submission import Handed, Source, Submission
 
 
 class Judges(Judge):
     """A judge without tests to run: each new request gets the next given verdict."""
 
-    def __init__(self, memory: Path, verdicts: list[str], forget: bool = False):
+    def __init__(self, memory: Path, verdicts: list[str], forget: bool = False, seeds: dict[str, int] | None = None):
         workshop = SimpleNamespace(build="build", expected_tests=lambda exercise: ["Kick.IsRight"])
         super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory,
-                         forget=forget)
+                         forget=forget, seeds=seeds)
         self.verdicts = verdicts
 
     def _judge_anew(self, exercise, source, tests, user):
@@ -71,6 +73,25 @@ class Remembers(unittest.TestCase):
             self.assertEqual(resumed.judge(exercise, old, None).tests[0].verdict, PASSED)
             self.assertEqual(resumed.judge(exercise, new, None).tests[0].verdict, PASSED)
             self.assertEqual(resumed.verdicts, [])
+
+    def test_another_seed_of_hidden_tests_is_another_verdict(self):
+        exercise, source = next(iter(all_exercises())), Source("kick.cpp", b"Vec3 kick() {}")
+        with tempfile.TemporaryDirectory() as folder:
+            found = [Judges(Path(folder), [verdict], seeds=seeds).judge(exercise, source, None).tests[0].verdict
+                     for verdict, seeds in ((PASSED, {}), (FAILED, {"Kick.IsRight": 2}), (CRASHED, {"Kick.IsRight": 1}),
+                                            (CRASHED, {"Kick.IsRight": 2}), (FAILED, {"Kick.IsRight": 3}))]
+        self.assertEqual(found, [PASSED, FAILED, PASSED, FAILED, FAILED])
+
+    def test_an_empty_file_is_not_started(self):
+        """And is not compiled: there are no verdicts to give."""
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judges(Path(folder), [])
+            for content in (b"", b" \r\n", b"\xef\xbb\xbf// I did not have time.\n", b"/* Vec3 kick() {} */"):
+                test, = judge.judge(exercise, Source("kick.cpp", content), None).tests
+                self.assertEqual((test.verdict, test.reason), (NOT_STARTED, "file empty"))
+                self.assertIn("kick.cpp has no code", test.message)
+            self.assertEqual(list(Path(folder).glob("*.json")), [])
 
     def test_a_reference_that_was_stopped_has_another_try(self):
         self.assertEqual(self.judged(True, [TIMED_OUT, PASSED, TIMED_OUT]), [TIMED_OUT, PASSED, PASSED])
@@ -147,6 +168,63 @@ class Waits(unittest.TestCase):
                 self.assertEqual(judge.lost(exercise, ExerciseVerdict([], [], 15.0)), 3.0)
 
 
+class Seeds(unittest.TestCase):
+    def test_each_test_has_its_seed_and_a_pair_is_kept_while_that_is_the_same(self):
+        asked: list[tuple[str, str]] = []
+        pairs = []
+
+        class OnePair:
+            was_asked = True
+
+            def __init__(self, *words, **_):
+                self.alive, self.seed = True, words[-1]["SPOOK_SEED"]
+                pairs.append(self)
+
+            def run(self, test):
+                asked.append((test, self.seed))
+                return Ran((b"0", b"1", b""))
+
+            def used_since(self):
+                return 0.25
+
+            def close(self):
+                self.alive = False
+
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
+            judge = Judges(Path(folder), [], seeds={"c": 7, "d": 7, "e": 1})
+            judge._workshop.test_program = lambda exercise: None
+            ran, used = judge._run_all(next(iter(all_exercises())), list("abcde"), Made(Path(), used=1.0), None)
+        self.assertEqual([verdict.verdict for verdict, _ in ran], [PASSED] * 5)
+        self.assertEqual(asked, [("a", "1"), ("b", "1"), ("c", "7"), ("d", "7"), ("e", "1")])
+        self.assertEqual((len(pairs), [pair.alive for pair in pairs]), (3, [False] * 3))
+        self.assertEqual(used, 1.75)  # each pair's own time counts once
+
+
+class Points(unittest.TestCase):
+    """An exercise of 3 tests with 1, 2 and 0 points."""
+
+    def points(self, rule: str, *verdicts: str, weights: tuple[float, ...] = (1, 2, 0)) -> tuple[float, float, list[float]]:
+        exercise = {"tests": [{"verdict": verdict, "points": weight} for verdict, weight in zip(verdicts, weights)]}
+        score(exercise, rule)
+        return exercise["score"], exercise["max_score"], [test["score"] for test in exercise["tests"]]
+
+    def test_by_the_rule(self):
+        right, wrong = (PASSED,) * 3, (PASSED, FAILED, PASSED)
+        self.assertEqual(self.points("exercises", *right), (3, 3, [1, 2, 0]))
+        self.assertEqual(self.points("exercises", *wrong), (0, 3, [0, 0, 0]))
+        self.assertEqual(self.points("tests", *wrong), (1, 3, [1, 0, 0]))
+        self.assertEqual(self.points("equal", *right), (1, 1, [1 / 3, 2 / 3, 0]))
+        self.assertEqual(self.points("equal", *wrong), (0, 1, [0, 0, 0]))
+
+    def test_with_equal_points_no_number_of_tests_counts_more(self):
+        for count in range(1, 50):
+            self.assertEqual(self.points("equal", *[PASSED] * count, weights=(0.7,) * count)[:2], (1, 1))
+
+    def test_an_exercise_without_points_has_none_by_any_rule(self):
+        for rule in RULES:
+            self.assertEqual(self.points(rule, PASSED, weights=(0,)), (0, 0, [0]), rule)
+
+
 class Compiled(unittest.TestCase):
     def test_its_time_is_told(self):
         """By the shell that runs it, in each isolation that works here: a namespace hides it from outside."""
@@ -196,7 +274,7 @@ class Grades(Grader):
     """Grades without exercises, tests or the reference; the submission eve makes the grader itself fail."""
 
     def __init__(self):
-        self.seed, self.exercises, self.failures = 1, [], []
+        self.seed, self.hidden_seed, self.exercises, self.failures = 1, 1, [], []
         self._jobs, self._seconds, self._points, self._attempt = 2, 2, "tests", "last"
         self._weights = self._judge = None
         self._workshop, self.isolation = SimpleNamespace(sources=""), SimpleNamespace(name="", does_not_deny="")

@@ -13,6 +13,7 @@ from grading.choices import TABLE
 from grading.weights import first_draft, read_rows
 from grading.workshop import build_tests, idle_tests, listed_tests, test_program
 from manifest import read_chapters
+from pick import pick_list
 
 
 class Weights(unittest.TestCase):
@@ -24,6 +25,14 @@ class Weights(unittest.TestCase):
         changed = sorted(set(run.stdout.splitlines()) ^ set(present.splitlines()))
         if run.stdout != present:
             self.fail("\n".join(["rows that are new, gone or elsewhere:", *changed]))
+
+    def test_the_rows_of_some_exercises(self):
+        """In the same words, and without another exercise's."""
+        run = run_course("export", "weights", "--chapters", "1.2,3.1-3.2", cwd=ROOT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        header, *rows = TABLE.read_text(encoding="utf-8").splitlines()
+        suites = {exercise.suite for exercise in pick_list("1.2,3.1,3.2")}
+        self.assertEqual(run.stdout.splitlines(), [header, *(row for row in rows if row.partition(".")[0] in suites)])
 
     def test_every_exercise_has_points_and_every_hint_exists(self):
         rows = read_rows(TABLE).values()

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from sandbox import ROOT
 
-from manifest import read_chapters
+from manifest import Exercise, all_exercises, read_chapters
+from pick import as_list, pick_list
 from syllabus import calls_of, closure, hours_of, needs_of
 
 PAGE = ROOT / "INSTRUCTORS.md"
@@ -20,6 +21,12 @@ def _text_of(folder: Path) -> str:
 
 def _tests_in(folder: Path) -> list[tuple[str, str]]:
     return re.findall(r"^EXERCISE_TEST\((\w+), (\w+)\)", _text_of(folder), re.MULTILINE)
+
+
+def _calls(exercise: Exercise, other: Exercise) -> bool:
+    """Tells whether the reference of an exercise calls the other's function."""
+    code = re.sub(r"//.*", "", exercise.reference.read_text(encoding="utf-8"))
+    return re.search(rf"(?<![.\w]){other.function}(?:<\w+>)?\(", code) is not None
 
 
 class Instructors(unittest.TestCase):
@@ -57,6 +64,35 @@ class Instructors(unittest.TestCase):
                     least, most = hours_of(self.chapters[number])
                     low, high = low + least / (1 + half), high + most / (1 + half)
                 self.assertEqual(self.rows[-1][column].strip(), f"{low:g} to {high:g}")
+
+    def test_the_lists_of_the_syllabi_are_their_weeks(self):
+        """The halves of chapters, too, by the exercises that the page names for them."""
+        text = " ".join(PAGE.read_text(encoding="utf-8").split())
+        lists = re.search(r"It is `(\S+)` for seven weeks, `(\S+)` for ten, and `(\S+)` for fourteen", text).groups()
+        halves = {"08, first half": "8.1-8.4,8.9-8.12", "08, second half": "8.5-8.8", "11, first half": "11.1-11.4",
+                  "11, second half": "11.5-11.11"}
+        for column, chosen in enumerate(lists, 1):
+            weeks = [row[column].strip() for row in self.rows[:-1] if row[column].strip()]
+            wanted = ",".join(halves.get(week, week.lstrip("0")) for week in weeks)
+            self.assertEqual(pick_list(chosen), pick_list(wanted))
+            self.assertEqual(as_list(pick_list(chosen)), chosen)
+        self.assertEqual(len(lists), 3)
+
+    def test_what_may_be_left_out_is_needed_by_no_other_chapter(self):
+        """But by those that the page names, and by single exercises whose calls it lists."""
+        text = " ".join(PAGE.read_text(encoding="utf-8").split())
+        left_out = re.findall(r"leave out (\d\d), unless you teach ((?:\d\d(?: or )?)+)"
+                              r"(?:, and explain its inertia, which (\d\d) needs)?", text)
+        self.assertEqual([number for number, *_ in left_out], ["06", "02"])
+        for number, teach, explained in left_out:
+            named = {int(one) for one in [*teach.split(" or "), explained] if one}
+            self.assertEqual({one for one, needs in self.needs.items() if int(number) in needs}, named, number)
+        told = re.search(r"comes from the reference: (.*?)\.(?: |$)", text)[1]
+        pairs = set()
+        for callers, called in re.findall(r"((?:\d+\.\d+(?:, | and )?)+) calls? ((?:\d+\.\d+(?: and )?)+)", told):
+            pairs |= {(one, other) for one in re.findall(r"[\d.]+\d", callers) for other in re.findall(r"[\d.]+\d", called)}
+        self.assertEqual(pairs, {(one.id, other.id) for one in all_exercises() for other in all_exercises()
+                                 if other.chapter in (2, 6) and one.chapter != other.chapter and _calls(one, other)})
 
     def test_the_halves_are_all_exercises(self):
         text = " ".join(PAGE.read_text(encoding="utf-8").split())

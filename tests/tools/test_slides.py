@@ -7,6 +7,7 @@ import unittest
 from sandbox import Sandbox
 from test_book import TAG, bound
 
+from binding.deck import _titled
 from binding.outline import pages
 from binding.reading import read
 from binding.slide_page import slide_page
@@ -57,6 +58,26 @@ class Slides(unittest.TestCase):
                     for paragraph in re.findall(r"(?m)(?:\A|\n\n)([A-Z][^\n|]{40,}(?:\n[^\n|]+)*)(?=\n\n)", text):
                         first = _words(re.split(r"[^A-Za-z0-9 ,.;:?!()\n]", paragraph)[0].rpartition(" ")[0])
                         self.assertIn(first, page)
+
+    def test_no_slide_ends_with_a_colon(self):
+        """As a caption does in a lesson, where a command follows it."""
+        for chapter in self.decks:
+            for slide, _ in self.sections(chapter):
+                text = html.unescape(re.sub(r"<[^>]*>", "", slide)).strip()
+                title = html.unescape(re.sub(r"<[^>]*>", "", re.search(r"<h[12]>(.*?)</h[12]>", slide, re.DOTALL)[1]))
+                with self.subTest(f"{chapter.folder}: {title}"):
+                    self.assertTrue(title.strip())
+                    self.assertNotRegex(title, r"[:.,;(]\s*$")
+                    self.assertNotRegex(text, r":$")
+
+    def test_a_lead_is_not_cut_within_a_parenthesis(self):
+        one = "An earlier sentence explains something else, at such length that all of it does not fit. "
+        long = one * 3
+        for text, lead in ((f"{long}Then this holds:", "Then this holds:"),
+                           (f"{long}(It is exact. Chapter 08 shows it, (8.15).)",
+                            f"{one}(It is exact. Chapter 08 shows it, (8.15).)"),
+                           (f"{long}See (8.15). Then (3.2) holds:", "Then (3.2) holds:")):
+            self.assertEqual(_titled("The equations", text), ("The equations", lead))
 
     def test_one_file_needs_no_other(self):
         for chapter, (page, count) in self.decks.items():

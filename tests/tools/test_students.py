@@ -1,5 +1,6 @@
 """./course export students: the content of the repository, the omitted files, and how a change reaches students."""
 
+import json
 import os
 import re
 import shutil
@@ -11,7 +12,9 @@ from pathlib import Path
 from classroom import run_course
 from sandbox import ROOT
 
-from manifest import read_chapters
+from exporting.students import _write, hints_of
+from manifest import listed, read_chapters
+from pick import pick_list
 
 CHOSEN = range(1, 3)
 ENVIRONMENT = {name: value for name, value in os.environ.items() if not name.startswith(("COURSE_", "SPOOK_", "GIT_"))}
@@ -163,6 +166,38 @@ class Students(unittest.TestCase):
             self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
             self.assertIn(told, result.stderr)
         self.assertEqual((self.root / "full" / "thesis.txt").read_text(), "mine")
+
+
+class PartOfAChapter(unittest.TestCase):
+    """The files of an export with some exercises of a chapter; the reference's objects are left out here."""
+
+    def test_chosen_exercises_are_stubs_and_listed_and_others_are_not_there(self):
+        scratch = tempfile.TemporaryDirectory(prefix="students-")
+        self.addCleanup(scratch.cleanup)
+        out, objects = Path(scratch.name, "repository"), Path(scratch.name, "objects")
+        for folder in (out, objects):
+            folder.mkdir()
+        chosen = pick_list("1,8.1-8.4,8.9")
+        _write(out, chosen, "Linux-x86_64", objects)
+        files = {str(file.relative_to(out / "chapters")) for file in (out / "chapters").glob("[0-9][0-9]_*/*.cpp")}
+        expected = {f"{one.folder}/{one.file.name}" for one in chosen}
+        self.assertEqual(files, expected)
+        self.assertEqual(set((out / "solutions" / "compiled" / "exercises.txt").read_text().split()), expected)
+        for chapter in read_chapters():
+            hints = out / "chapters" / chapter.folder / "hints.md"
+            own = [one for one in chapter.exercises if one in chosen]
+            found = listed(hints.read_text(encoding="utf-8"), chapter.folder) if hints.exists() else []
+            self.assertEqual((found, hints.exists()), (own, bool(own)))
+        board = course(out, "progress", "--json")
+        self.assertEqual(board.returncode, 0, board.stderr)
+        self.assertEqual([one["id"] for one in json.loads(board.stdout)["exercises"]], [one.id for one in chosen])
+        refused = course(out, "check", "8.5")
+        self.assertEqual((refused.returncode, refused.stderr.count("\n")), (2, 1), refused.stderr)
+
+    def test_the_hints_of_a_whole_chapter_are_as_they_are(self):
+        for chapter in read_chapters():
+            text = chapter.exercises[0].file.with_name("hints.md").read_text(encoding="utf-8")
+            self.assertEqual(hints_of(text, {one.id for one in chapter.exercises}), text)
 
 
 if __name__ == "__main__":

@@ -5,11 +5,12 @@ import argparse
 from errors import BadInput
 from grading.choices import ATTEMPTS, ISOLATIONS, RULES, TABLE
 from paths import BUILD
-from pick import near
+from pick import near, pick_list
 
 EPILOG = """\
 N is a chapter (4), N.M an exercise (4.2). The name of an exercise's function
-(update_row) may replace its number.
+(update_row) may replace its number. LIST has several of them, and ranges:
+1-5,6.1,8.1-8.4.
 
 Without N, check tests every exercise that you have started, in order, and
 explains the first wrong one. watch does the same at every save.
@@ -58,17 +59,6 @@ def _port(text: str) -> int:
     if not (text.isascii() and text.isdecimal() and 0 < int(text) < 2**16):
         raise argparse.ArgumentTypeError(f"must be a port from 1 to 65535, but is {text!r}")
     return int(text)
-
-
-def _chapters(text: str) -> set[int]:
-    numbers: set[int] = set()
-    for part in text.split(","):
-        first, dash, last = part.partition("-")
-        if not (text.isascii() and first.isdecimal() and (last.isdecimal() if dash else True)
-                and 1 <= int(first) <= int(last or first) < 100):
-            raise argparse.ArgumentTypeError(f"must be a list of chapters such as 1-5 or 1,3,5-7, but is {text!r}")
-        numbers |= set(range(int(first), int(last or first) + 1))
-    return numbers
 
 
 def parse(words: list[str]) -> argparse.Namespace:
@@ -160,7 +150,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("which", metavar="N", help="a chapter")
     command.add_argument("--out", metavar="FILE", help="output file (default: build/slides/NN_topic.html)")
     command = add("exam", "print exam questions and their answers, drawn by a seed")
-    command.add_argument("chapters", nargs="?", type=_chapters, metavar="A-B", help="1-5, or 1,3,5-7")
+    command.add_argument("chapters", nargs="?", type=pick_list, metavar="LIST",
+                         help="chapters and exercises: 1-5, or 1-7,8.1-8.4")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of numbers, signs and conventions (default: 1)")
     command.add_argument("--answers", action="store_true", help="print the answer below each question")
     command.add_argument("--objectives", action="store_true", help="print chapters/OBJECTIVES.md")
@@ -177,12 +168,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")
     command.add_argument("--out", metavar="FILE", help="output file (default: print text formats)")
-    command.add_argument("--chapters", type=_chapters, metavar="A-B",
-                         help="chapters that the platform grades, or that students write")
+    command.add_argument("--chapters", type=pick_list, metavar="LIST",
+                         help="chapters and exercises to export: 1-5, or 1-7,8.1-8.4 (default: all)")
     command.add_argument("--hidden", metavar="DIR", help="folder of hidden tests for the platform")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of random inputs on the platform")
+    command.add_argument("--hidden-seed", type=_seed, metavar="S", help="seed of tests that students do not see there")
     command.add_argument("--weights", metavar="FILE", help="table of points, for a kit or to score results again")
-    command.add_argument("--points", choices=RULES, help="points for whole exercises, or for each test")
+    command.add_argument("--points", choices=RULES,
+                         help="points for whole exercises, for each test, or for all exercises alike")
     command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="time limit of a test on the platform")
     command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table exported by the platform")
     command.add_argument("--assignment", default="Assignment", metavar="TITLE",
@@ -233,19 +226,21 @@ def _add_play(command: Parser) -> None:
 
 def _add_grade(command: Parser) -> None:
     command.add_argument("paths", nargs="*", metavar="PATH", help="a submission, or a folder of them")
-    command.add_argument("--chapters", type=_chapters, metavar="A-B",
-                         help="chapters to grade: 1-5, or 1,3,5-7 (default: all)")
+    command.add_argument("--chapters", type=pick_list, metavar="LIST",
+                         help="chapters and exercises to grade: 1-5, or 1-7,8.1-8.4 (default: all)")
     command.add_argument("--jobs", type=_count, default=2, metavar="N", help="number of parallel jobs (default: 2)")
     command.add_argument("--out", default=str(BUILD / "grades"), metavar="DIR",
                          help="output folder (default: build/grades)")
     command.add_argument("--seed", type=_seed, metavar="S",
                          help="seed of random inputs (default: 1), which is recorded")
+    command.add_argument("--hidden-seed", type=_seed, metavar="S",
+                         help="seed of tests that students do not see, which no report states (default: --seed)")
     command.add_argument("--hidden", metavar="DIR",
                          help="folder of further tests, NN_topic/*.cpp, and their weights.csv")
     command.add_argument("--weights", default=str(TABLE), metavar="FILE",
                          help="table of points, titles, hints, visibility (default: tests/weights.csv)")
     command.add_argument("--points", choices=RULES, default=RULES[0],
-                         help="points for whole exercises (default), or for each test")
+                         help="points for whole exercises (default), for each test, or for all exercises alike")
     command.add_argument("--attempt", choices=ATTEMPTS, default=ATTEMPTS[0],
                          help="which of a student's attempts on a platform counts (default: last)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",

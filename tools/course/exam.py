@@ -1,4 +1,4 @@
-"""./course exam N: questions on a chapter's objectives, with numbers, signs and conventions drawn by a seed."""
+"""./course exam LIST: questions on a chapter's objectives, with numbers, signs and conventions drawn by a seed."""
 
 import importlib
 import re
@@ -7,6 +7,8 @@ import sys
 from errors import BadInput, CourseError
 from examining.question import QUESTIONS, Question
 from manifest import Chapter, read_chapters
+from pick import as_list
+from terminal import fold
 
 _FILES = ("chapters_01_to_05", "chapters_06_to_09", "chapters_10_to_14")
 _HEADING = "## What you will be able to do"
@@ -26,14 +28,17 @@ def exam(arguments) -> int:
         sys.stdout.write(objectives_page())
         return 0
     if not arguments.chapters:
-        raise BadInput("exam: name the chapters, as in ./course exam 1-5 --seed 2027")
+        raise BadInput("exam: name the chapters, as in ./course exam 1-5 --seed 2027, or also exercises: 1-7,8.1-8.4")
     seed = arguments.seed if arguments.seed is not None else 1
-    chosen = [one for one in questions if one.chapter in arguments.chapters]
-    unknown = arguments.chapters - {one.chapter for one in questions}
-    if unknown:
-        raise BadInput(f"exam: there is no chapter {min(unknown)}")
-    print(f"# Chapters {', '.join(map(str, sorted(arguments.chapters)))}, seed {seed}"
-          + (", with answers" if arguments.answers else ""))
+    named, known = as_list(arguments.chapters), {one.id for one in arguments.chapters}
+    chosen = [one for one in questions if known.issuperset(one.exercises)]
+    partly = [one for one in questions if known.intersection(one.exercises) and one not in chosen]
+    if partly:
+        lacking = "; ".join(f"{one.id} lacks {', '.join(sorted(set(one.exercises) - known, key=_place))}" for one in partly)
+        print(fold(f"Not asked, since exercises of the objective are not in the list: {lacking}."), file=sys.stderr)
+    if not chosen:
+        raise BadInput(f"exam: no question is about {named} alone")
+    print(f"# Chapters {named.replace(',', ', ')}, seed {seed}" + (", with answers" if arguments.answers else ""))
     for one in chosen:
         text, answer = one.drawn(seed)
         print(f"\n**{one.id}** {text}" + (f"\n\n*{answer}*" if arguments.answers else ""))
@@ -66,10 +71,15 @@ def objectives_page() -> str:
         parts.append(f"\n## [{chapter.title}]({folder})\n")
         for number, objective in enumerate(objectives_of(chapter), 1):
             found = [one for one in questions if (one.chapter, one.objective) == (chapter.number, number)]
-            exercises = sorted({name for one in found for name in one.exercises}, key=lambda name: int(name.split(".")[1]))
+            exercises = sorted({name for one in found for name in one.exercises}, key=_place)
             named = ", ".join(one.id for one in found)
             parts.append(_item(f"{objective} *Exercise{'s'[:len(exercises) > 1]} {', '.join(exercises)}; question {named}.*"))
     return "\n".join(parts) + "\n"
+
+
+def _place(name: str) -> int:
+    """Returns the place of an exercise, such as 8.10, in its chapter."""
+    return int(name.partition(".")[2])
 
 
 def _item(text: str) -> str:

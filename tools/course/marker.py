@@ -35,3 +35,8 @@ def source_line(source: str, position: int) -> int:
 
 def is_stub(source: str) -> bool:
     return marker_line(source) is not None
+
+
+def is_empty(source: str) -> bool:
+    """Tells whether a file has nothing but white space and comments."""
+    return not code_of(source).replace("\ufeff", "").strip()

@@ -1,19 +1,21 @@
 """Finds the exercises that the user named.
 
 A chapter is 4, 04_gauss_seidel or its folder; an exercise is 4.2, update_row or its file. Paths are those that Tab
-completes in the shell's folder.
+completes in the shell's folder. A list, such as 1-5,6.1,8.1-8.4, has chapters, exercises, and ranges of them.
 """
 
 import difflib
 import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 
 from errors import BadInput
-from manifest import Chapter, Exercise, read_chapters
+from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import CHAPTERS
 
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?")
+_RANGE = re.compile(r"([\w.]+)-([\w.]+)")
 
 
 def near(word: str, known: list[str], cutoff: float = 0.5) -> str:
@@ -26,6 +28,43 @@ def pick(text: str) -> list[Exercise]:
     """Returns the exercise, or all of the chapter."""
     found = _find(text)
     return list(found.exercises) if isinstance(found, Chapter) else [found]
+
+
+def pick_list(text: str) -> tuple[Exercise, ...]:
+    """Returns the exercises of a list, such as 1-5,6.1,8.1-8.4, in the course's order."""
+    order = all_exercises()
+    chosen: set[Exercise] = set()
+    for part in text.split(","):
+        ends = _RANGE.fullmatch(part.strip())
+        first, last = (pick(ends[1])[0], pick(ends[2])[-1]) if ends else (None, None)
+        if ends and order.index(first) > order.index(last):
+            raise BadInput(f"{part.strip()!r} ends before it begins")
+        chosen.update(order[order.index(first): order.index(last) + 1] if ends else pick(part.strip()))
+    return tuple(exercise for exercise in order if exercise in chosen)
+
+
+def as_list(exercises: Iterable[Exercise]) -> str:
+    """Returns the shortest list of these exercises: 1-5,6.1,8.1-8.4."""
+    chosen = set(exercises)
+    runs: list[list[str]] = []
+    before = (None, -2)
+    for place, chapter in enumerate(read_chapters()):
+        is_whole = chosen.issuperset(chapter.exercises)
+        parts = [(str(chapter.number), (None, place))] if is_whole else [
+            (one.id, (chapter, k)) for k, one in enumerate(chapter.exercises) if one in chosen]
+        for name, at in parts:
+            if (at[0], at[1] - 1) == before:
+                runs[-1].append(name)
+            else:
+                runs.append([name])
+            before = at
+    return ",".join(run[0] if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
+
+
+def chapters_of(exercises: Iterable[Exercise]) -> list[Chapter]:
+    """Returns the chapters, with all of their exercises, that have one of these."""
+    numbers = {exercise.chapter for exercise in exercises}
+    return [chapter for chapter in read_chapters() if chapter.number in numbers]
 
 
 def pick_one(text: str) -> Exercise:

@@ -46,7 +46,7 @@ class Tree:
         command = ["ninja", "-C", str(self.path), "-j", str(jobs()), *going, *targets]
         env = os.environ | {"NINJA_STATUS": "[%f/%t] ", "LC_ALL": "C"}
         live, log = Live(what), self.path / "course-build.log"
-        with self._alone():
+        with self.alone():
             self.configure()
             code, output = stream(command, lambda line: self._show(live, line), log, env)
         live.done()
@@ -117,8 +117,9 @@ class Tree:
         live.update(f"[{status[1]}]" if status else "")
 
     @contextlib.contextmanager
-    def _alone(self):
-        """Locks the tree, since two ninjas in one tree conflict: `watch` in one window, `check` in another."""
+    def alone(self):
+        """Locks the tree, since two ninjas in one tree conflict: `watch` in one window, `check` in another. Within it
+        this process builds nothing there."""
         self.path.mkdir(parents=True, exist_ok=True)
         with open(self.path / "course.lock", "w") as lock:
             try:

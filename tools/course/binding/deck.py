@@ -21,6 +21,7 @@ _LONGEST_TABLE = 12  # rows
 _RUN_IN = re.compile(r".*<strong>([^<]{3,60}?)[.:]</strong>", re.DOTALL)  # **Gather.**, the last of a paragraph
 _BOLD = re.compile(r"<strong>([^<]{3,60})</strong>")
 _SENTENCE = re.compile(r"(?<=[.?!])\s+(?=[A-Z])")
+_COLON = re.compile(r":\s*</figcaption>")  # in a lesson a command follows, and on a slide nothing does
 
 
 @dataclass
@@ -59,7 +60,7 @@ def _sections(pieces: list[Piece]) -> list[tuple[str, list[Piece]]]:
 
 
 def _opening(title: str, parts: list[Piece]) -> Slide:
-    film = "".join(piece.html for piece in parts if piece.kind == "figure")
+    film = _COLON.sub(".</figcaption>", "".join(piece.html for piece in parts if piece.kind == "figure"))
     notes = [piece.html for piece in parts if piece.kind != "figure"]
     return Slide(typeset(html.escape(title)), film, notes=notes, kind="opening")
 
@@ -156,4 +157,14 @@ def _titled(title: str, text: str) -> tuple[str, str]:
     if len(sentences) > 1 and sentences[0][:1].islower():
         sentences = sentences[1:]
     whole = " ".join(sentences)
-    return title, whole if len(re.sub(r"<[^>]*>", "", whole)) <= _LONGEST_LEAD else sentences[-1]
+    return title, whole if len(re.sub(r"<[^>]*>", "", whole)) <= _LONGEST_LEAD else _last(sentences)
+
+
+def _last(sentences: list[str]) -> str:
+    """Returns the last sentence, with those before it if it ends a parenthesis that they begin."""
+    for k in reversed(range(len(sentences))):
+        last = " ".join(sentences[k:])
+        text = re.sub(r"<[^>]*>", "", last)
+        if text.count(")") <= text.count("("):
+            return last
+    return sentences[-1]

@@ -3,6 +3,7 @@
 import math
 
 from examining.question import Draw, asks, said, vector
+from terminal import counted
 
 
 @asks(1, 1, "1.1 1.2 1.3 1.4")
@@ -161,7 +162,7 @@ def sweeps_of_a_stack(draw: Draw):
     upper, lower = (M, 1) if top else (1, M)
     return (f"A body of {upper} kg lies on one of {lower} kg, and that on the floor. Σ = 0. By which factor does "
             f"a sweep reduce the error, and how many sweeps reduce it to 10^-{digits}?",
-            f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
+            f"{said(rate)}, {counted(math.ceil(digits * math.log(10) / -math.log(rate)), 'sweep')}")
 
 
 @asks(4, 4, "4.7")

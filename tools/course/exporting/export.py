@@ -8,7 +8,7 @@ from errors import BadInput
 from exporting import autolab, github, gradescope, grades, junit, students, table, weights
 from grading.choices import TABLE
 from grading.merge import read_result, read_results
-from grading.results import scored
+from grading.results import score
 from grading.roster import read_roster
 from grading.text import one_line
 from grading.weights import read_weights
@@ -25,7 +25,7 @@ _OF_A_ROSTER = {"canvas": "the gradebook that Canvas exports", "moodle": "the as
 def export(arguments) -> int:
     what, out = arguments.what, arguments.out
     if what == "weights":
-        return _write(weights.table(), out)
+        return _write(weights.table(arguments.chapters), out)
     if arguments.results:
         results = [result for path in arguments.results for result in _read(Path(path))]
         _weigh_again(results, arguments)
@@ -56,22 +56,28 @@ def _grades(what: str, results: list[dict], arguments) -> int:
 
 
 def _weigh_again(results: list[dict], arguments) -> None:
-    """Computes the points again by another table or rule; the verdicts do not change."""
+    """Computes the points again by another table or rule, or of fewer exercises; the verdicts do not change."""
     if arguments.time_limit is not None:
         raise BadInput("export: --time-limit is for grading; these are results, graded with "
                        f"{results[0]['seconds_a_test']} s a test")
     hidden = Path(arguments.hidden) if arguments.hidden else None
-    if not (arguments.weights or hidden or arguments.points):
+    if not (arguments.weights or hidden or arguments.points or arguments.chapters):
         return
-    weights = read_weights(Path(arguments.weights or TABLE), hidden).rows()
+    weights = read_weights(Path(arguments.weights or TABLE), hidden).rows() if arguments.weights or hidden else {}
+    chosen = {exercise.function: exercise for exercise in arguments.chapters or ()}
     for result in results:
         result["points"] = arguments.points or result["points"]
+        if chosen:
+            result["exercises"] = [exercise for exercise in result["exercises"] if exercise["function"] in chosen]
+            graded = {exercise["function"] for exercise in result["exercises"]}
+            if lacking := next((exercise.label for function, exercise in chosen.items() if function not in graded), ""):
+                raise BadInput(f"export: {lacking} was not graded in these results")
         for exercise in result["exercises"]:
             for test in exercise["tests"]:
+                test.setdefault("points", test["max_score"])
                 if weight := weights.get(test["name"]):
-                    test |= {"max_score": weight.points, "visibility": weight.visibility, "title": weight.title}
-            exercise["score"] = scored(exercise["tests"], result["points"])
-            exercise["max_score"] = round(sum(test["max_score"] for test in exercise["tests"]), 9)
+                    test |= {"points": weight.points, "visibility": weight.visibility, "title": weight.title}
+            score(exercise, result["points"])
         for key in ("score", "max_score"):
             result[key] = round(sum(exercise[key] for exercise in result["exercises"]), 9)
 

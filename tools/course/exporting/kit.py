@@ -5,6 +5,7 @@ from pathlib import Path
 
 from errors import BadInput
 from grading.weights import read_rows
+from pick import as_list
 
 KITS = Path(__file__).resolve().parent / "kits"
 
@@ -32,9 +33,11 @@ def options(arguments, hidden_at: str, weights_at: str) -> str:
     """Returns the options of ./course grade, quoted for a shell."""
     words = []
     if arguments.chapters:
-        words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
+        words += ["--chapters", as_list(arguments.chapters)]
     if arguments.seed is not None:
         words += ["--seed", str(arguments.seed)]
+    if arguments.hidden_seed is not None:
+        words += ["--hidden-seed", str(arguments.hidden_seed)]
     if arguments.time_limit is not None:
         words += ["--time-limit", str(arguments.time_limit)]
     if arguments.points:

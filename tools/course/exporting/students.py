@@ -16,8 +16,9 @@ from pathlib import Path, PurePosixPath
 from errors import BadInput, CourseError
 from files import course_files
 from machine import require_linux
-from manifest import Chapter, read_chapters
+from manifest import Exercise, all_exercises
 from paths import ROOT
+from pick import as_list
 from reset import stub_of
 from tree import Tree
 from version import stated_in, version
@@ -49,7 +50,7 @@ def write_repository(arguments) -> list[Path]:
     if not arguments.out:
         raise BadInput("export: students needs --out DIR, the folder of the repository")
     out = Path(arguments.out)
-    chapters = _chosen(arguments.chapters)
+    exercises = arguments.chapters or tuple(all_exercises())
     if out.exists() and not (out / _LISTED).exists() and any(out.iterdir()):
         raise BadInput(f"export: {out} holds files other than a repository for students")
     if ROOT == out.resolve() or ROOT in out.resolve().parents and out.resolve().parts[len(ROOT.parts)] != "build":
@@ -59,19 +60,12 @@ def write_repository(arguments) -> list[Path]:
         objects = Path(scratch)
         for preset in _PRESETS:
             _compile(preset, objects / preset)
-        _write(out, chapters, machine, objects)
-    release = _commit(out, chapters)
-    print(f"Release {release} for students: exercises of {', '.join(str(one.number) for one in chapters)}; "
+        _write(out, exercises, machine, objects)
+    release = _commit(out, exercises)
+    print(f"Release {release} for students: exercises of {as_list(exercises).replace(',', ', ')}; "
           f"the reference is compiled for {', '.join(_machines(out))}.\n"
           "Push it with its tags (git push --follow-tags) to where students clone it from.")
     return [out]
-
-
-def _chosen(numbers: set[int] | None) -> list[Chapter]:
-    chapters = read_chapters()
-    if numbers and (unknown := numbers - {chapter.number for chapter in chapters}):
-        raise BadInput(f"export: there is no chapter {min(unknown)}")
-    return [chapter for chapter in chapters if not numbers or chapter.number in numbers]
 
 
 def _compile(preset: str, folder: Path) -> None:
@@ -90,29 +84,40 @@ def _compile(preset: str, folder: Path) -> None:
             _run(["strip", "--strip-debug", file.name], folder)
 
 
-def _write(out: Path, chapters: list[Chapter], machine: str, objects: Path) -> None:
+def _write(out: Path, exercises: tuple[Exercise, ...], machine: str, objects: Path) -> None:
     """Writes the export. Files of an earlier export are removed first, except for other machines' objects."""
     for name in _tracked(out):
         if _COMPILED not in name.parents:
             (out / name).unlink(missing_ok=True)
-    stubs = {one.file.relative_to(ROOT): one for chapter in chapters for one in chapter.exercises}
-    kept = {chapter.folder for chapter in chapters}
+    stubs = {one.file.relative_to(ROOT): one for one in exercises}
+    others = {one.file.relative_to(ROOT) for one in all_exercises()} - set(stubs)
+    kept = {one.folder for one in exercises}
     for name in course_files():
-        if _is_left_out(name, kept):
+        if name in others or _is_left_out(name, kept):
             continue
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         if name in stubs:
             (out / name).write_bytes(stub_of(stubs[name]))
         else:
             shutil.copy2(ROOT / name, out / name)
+        if name.name == "hints.md":
+            text = (ROOT / name).read_text(encoding="utf-8")
+            (out / name).write_text(hints_of(text, {one.id for one in exercises}), encoding="utf-8")
     place = out / _COMPILED / machine
     shutil.rmtree(place, ignore_errors=True)
     shutil.copytree(objects, place)
-    exercises = [f"{one.folder}/{one.function}.cpp" for chapter in chapters for one in chapter.exercises]
-    (out / _LISTED).write_text("\n".join(exercises) + "\n", encoding="utf-8")
+    files = [f"{one.folder}/{one.function}.cpp" for one in exercises]
+    (out / _LISTED).write_text("\n".join(files) + "\n", encoding="utf-8")
     compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True).stdout.splitlines()
     (out / _COMPILED / "README.md").write_text(_NOTE.format(machines=" and ".join(_machines(out)),
                                                             compiler=compiler[0] if compiler else "unknown"), encoding="utf-8")
+
+
+def hints_of(text: str, numbers: set[str]) -> str:
+    """Returns a hints.md, which lists the exercises of its chapter, with the sections of these exercises only."""
+    head, *sections = re.split(r"(?m)^(?=## )", text)
+    own = [section for section in sections if section.split()[1] in numbers]
+    return (head + "".join(own)).rstrip("\n") + "\n"
 
 
 def _is_left_out(name: Path, kept: set[str]) -> bool:
@@ -133,7 +138,7 @@ def _tracked(out: Path) -> list[Path]:
     return [Path(name) for name in _git(out, "ls-files", "-z").split("\0") if name]
 
 
-def _commit(out: Path, chapters: list[Chapter]) -> str:
+def _commit(out: Path, exercises: tuple[Exercise, ...]) -> str:
     """Commits a release: its version is the course's, and each further export increases the last number by one."""
     if not (out / ".git").exists():
         _git(out, "init", "-q", "-b", "main")
@@ -152,8 +157,7 @@ def _commit(out: Path, chapters: list[Chapter]) -> str:
     release = stated_in(lists.read_text(encoding="utf-8"))
     _git(out, "add", "-A", "--", ".")
     named = () if _git(out, "config", "--default", "", "user.email") else _UNNAMED
-    numbered = ", ".join(str(chapter.number) for chapter in chapters)
-    _git(out, *named, "commit", "-q", "-m", f"The course {release}, exercises of chapters {numbered}")
+    _git(out, *named, "commit", "-q", "-m", f"The course {release}, exercises of {as_list(exercises)}")
     _git(out, *named, "tag", "-a", f"v{release}", "-m", f"The course {release}")
     return release
 

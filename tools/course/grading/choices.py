@@ -3,6 +3,6 @@
 from paths import ROOT
 
 ISOLATIONS = ("bubblewrap and a uid", "bubblewrap", "uid", "limits")
-RULES = ("exercises", "tests")  # what counts: an exercise that is right, or each test
+RULES = ("exercises", "tests", "equal")  # what counts: a right exercise, each test, or right exercises alike
 ATTEMPTS = ("last", "first", "best")  # of several on a platform, the one that counts
 TABLE = ROOT / "tests" / "weights.csv"

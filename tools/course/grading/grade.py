@@ -9,6 +9,7 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from exporting import gradescope
 from grading.delivery import Delivery, find_submissions
+from grading.feedback import FEEDBACK
 from grading.gradebook import Class, not_graded, statistics_line, uncertain, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
@@ -24,9 +25,10 @@ from machine import require_linux
 from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import ROOT, shown
+from pick import as_list
 from slurm import run_array
 from sources import need_sources
-from terminal import fold
+from terminal import counted, fold
 
 
 _NAMED = 10  # submissions that are named before a question
@@ -80,8 +82,9 @@ def _grade(arguments) -> int:
     if results:
         write_gradebook(out, results, of_class)
     if grader.failures:
-        raise CourseError(f"{len(grader.failures)} exercises or submissions could not be graded; the others were, "
-                          "and the same command continues from there", "\n".join(grader.failures))
+        what = "exercise or submission" if len(grader.failures) == 1 else "exercises or submissions"
+        raise CourseError(f"{len(grader.failures)} {what} could not be graded; the others were, and the same command "
+                          "continues from there", "\n".join(grader.failures))
     if arguments.similarity:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
@@ -140,11 +143,11 @@ def _for_a_shard(arguments) -> list[str]:
     """Returns the options for a shard, which are those given here."""
     words = ["--jobs", str(arguments.jobs), "--points", arguments.points, "--attempt", arguments.attempt,
              "--weights", str(Path(arguments.weights).absolute())]
-    for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
+    for name in ("seed", "hidden_seed", "time_limit", "exercise_time", "submission_time", "isolation"):
         if (value := getattr(arguments, name)) is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
     if arguments.chapters:
-        words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
+        words += ["--chapters", as_list(arguments.chapters)]
     if arguments.hidden:
         words += ["--hidden", str(Path(arguments.hidden).absolute())]
     return words + (["--fresh"] if arguments.fresh else [])
@@ -171,9 +174,8 @@ def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
 def _compare(out: Path, results: list[dict]) -> None:
     graded = {exercise["function"] for result in results for exercise in result["exercises"]}
     found = write_similarity(out, [exercise for exercise in all_exercises() if exercise.function in graded])
-    pairs = f"{len(found.pairs)} pair{'' if len(found.pairs) == 1 else 's'}"
-    print(fold(f"{pairs} of submissions share unusually much, and {len(found.references)} are the reference's: "
-               f"{shown(out / 'similarity.html')}."))
+    print(fold(f"Pairs of submissions that share unusually much: {len(found.pairs)}; submissions like the reference: "
+               f"{len(found.references)}; see {shown(out / 'similarity.html')}."))
 
 
 def _say_what_is_uncertain(results: list[dict], out: Path) -> None:
@@ -194,13 +196,15 @@ def _say_who_is_missing(lines: list[str]) -> None:
 
 
 def _where(out: Path) -> str:
-    return f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}"
+    told = f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}"
+    feedback = out / FEEDBACK
+    return told + (f", reports for Moodle in {shown(feedback)}" if feedback.exists() else "")
 
 
 def _prepare(arguments) -> int:
     install(NEEDS + GRADE_NEEDS, arguments.yes)
     with Grader(arguments) as grader:
-        print(f"Ready to grade {len(grader.exercises)} exercises; isolation: {grader.isolation.name}.")
+        print(f"Ready to grade {counted(len(grader.exercises), 'exercise')}; isolation: {grader.isolation.name}.")
         _say_what_is_open(grader.isolation)
     return 0
 
@@ -212,7 +216,7 @@ def _grade_on_gradescope(arguments, out: Path) -> int:
     path, file = Path(arguments.paths[0]), Path(arguments.gradescope)
 
     def write(result: dict, left: int) -> None:
-        unfinished = f"Not finished: {left} exercises are still to be graded." if left else ""
+        unfinished = f"Not finished: {counted(left, 'exercise')} still to be graded." if left else ""
         write_json(file, gradescope.converted(result, unfinished))
 
     with Grader(arguments) as grader:
@@ -222,9 +226,17 @@ def _grade_on_gradescope(arguments, out: Path) -> int:
 
 
 def _say_how(grader: Grader, count: int) -> None:
-    print(f"{count} submission{'s' if count != 1 else ''}, {len(grader.exercises)} exercises, seed {grader.seed}; "
-          f"isolation: {grader.isolation.name}.", flush=True)
+    print(f"{counted(count, 'submission')}, {counted(len(grader.exercises), 'exercise')}, seed {grader.seed}"
+          f"{_of_hidden(grader)}; isolation: {grader.isolation.name}.", flush=True)
     _say_what_is_open(grader.isolation)
+
+
+def _of_hidden(grader: Grader) -> str:
+    if not grader.unseen:
+        return ""
+    if grader.hidden_seed == grader.seed:
+        return " (also of hidden tests: reports state it; --hidden-seed gives them another)"
+    return f", of hidden tests {grader.hidden_seed}"
 
 
 def _say_what_is_open(isolation: Isolation) -> None:

@@ -6,6 +6,7 @@ import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from grading.feedback import write_feedback
 from grading.judge import VERDICTS
 from grading.report import RULE
 from grading.results import tampered
@@ -26,14 +27,19 @@ class Class:
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what lay there and was not graded, and why
     roster: Roster | None = None
 
-    def matched(self, results: list[dict]) -> tuple[list[tuple[str, str]], list[str]]:
-        """Returns students without a submission, with the reason, and submissions without a student."""
+    def matched(self, results: list[dict]) -> tuple[list[tuple[dict[str, str], str]], list[str]]:
+        """Returns the rows of students without a submission, with the reason, and submissions without a student."""
         if not self.roster:
             return [], []
         _, missing, strangers = self.roster.matched(results)
         claimed = self.roster.claimed(results)
-        return [(self.roster.name_of(row), "no submission is certain to be theirs" if id(row) in claimed
-                 else "nothing was handed in") for row in missing], strangers
+        return [(row, "no submission is certain to be theirs" if id(row) in claimed else "nothing was handed in")
+                for row in missing], strangers
+
+    def numbers(self, results: list[dict]) -> dict[str, str]:
+        """Returns the roster's number of each submission's student, by the submission's name."""
+        found = self.roster.matched(results)[0] if self.roster else {}
+        return {name: self.roster.number_of(row) for name, row in found.items()}
 
 
 def write_gradebook(folder: Path, results: list[dict], of_class: Class) -> None:
@@ -43,6 +49,7 @@ def write_gradebook(folder: Path, results: list[dict], of_class: Class) -> None:
     _write_tests(folder / "tests.csv", counts)
     figure = _draw(folder / "histogram.png", results)
     (folder / "summary.md").write_text(_summary(results, counts, figure, of_class), encoding="utf-8")
+    write_feedback(folder, results)
 
 
 def statistics_line(results: list[dict]) -> str:
@@ -57,7 +64,7 @@ def not_graded(results: list[dict], of_class: Class) -> list[str]:
     why = {result["submission"]: of_class.roster.reason(result) for result in results
            if result["submission"] in strangers}
     return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
-            + [f"{one_line(name)}: on the roster, and {reason}" for name, reason in missing]
+            + [f"{one_line(of_class.roster.name_of(row))}: on the roster, and {reason}" for row, reason in missing]
             + [f"{one_line(name)}: {one_line(why[name]) or 'graded, and not on the roster'}" for name in strangers])
 
 
@@ -73,24 +80,28 @@ def _percents(results: list[dict]) -> list[float]:
 
 def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
     chapters = sorted({exercise["chapter"] for result in results for exercise in result["exercises"]})
+    exercises = [f"{exercise['id']} {exercise['function']}" for exercise in results[0]["exercises"]]
     missing, _ = of_class.matched(results)
+    numbers = of_class.numbers(results)
     with open(file, "w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["submission", "score", "max_score", "percent", "done", "wrong", "not started", *chapters,
-                         "student", "identifier", "late", "look"])
+                         "student", "identifier", "late", "look", *exercises])
         for result, percent in zip(results, _percents(results)):
             states = [exercise["state"] for exercise in result["exercises"]]
             scores = [sum(exercise["score"] for exercise in result["exercises"] if exercise["chapter"] == chapter)
                       for chapter in chapters]
             look = "; ".join((["tampered"] if tampered(result) else []) + result["notes"])
+            number = result["identifier"] or numbers.get(result["submission"], "")
             writer.writerow([cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
                              f"{percent:.2f}", *(states.count(state) for state in ("done", "wrong", "not started")),
-                             *(f"{score:g}" for score in scores), cell(result["student"]), cell(result["identifier"]),
-                             "late" if result["late"] else "", cell(look)])
-        for name, reason in missing:
-            writer.writerow([cell(name), "0", f"{results[0]['max_score']:g}", "0.00", 0, 0,
-                             len(results[0]["exercises"]), *("0" for _ in chapters), cell(name), "", "",
-                             reason])
+                             *(f"{score:g}" for score in scores), cell(result["student"]), cell(number),
+                             "late" if result["late"] else "", cell(look),
+                             *(f"{exercise['score']:g}" for exercise in result["exercises"])])
+        for row, reason in missing:
+            name, number = of_class.roster.name_of(row), of_class.roster.number_of(row)
+            writer.writerow([cell(name), "0", f"{results[0]['max_score']:g}", "0.00", 0, 0, len(exercises),
+                             *("0" for _ in chapters), cell(name), cell(number), "", reason, *("0" for _ in exercises)])
 
 
 def cell(text: str) -> str:
@@ -139,8 +150,8 @@ def _draw(file: Path, results: list[dict]) -> bool:
 def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: bool, of_class: Class) -> str:
     settings = results[0]
     lines = ["# The class\n", f"{statistics_line(results)}. {RULE[settings['points']]}\n",
-             f"Seed {settings['seed']}; {settings['seconds_a_test']} s of processor time a test; isolation: "
-             f"{', '.join(sorted({result['isolation'] for result in results}))}.\n"]
+             f"Seed {settings['seed']}{_of_hidden(results)}; {settings['seconds_a_test']} s of processor time a test; "
+             f"isolation: {', '.join(sorted({result['isolation'] for result in results}))}.\n"]
     if figure:
         lines.append("![Histogram of the points](histogram.png)\n")
     if left_out := not_graded(results, of_class):
@@ -157,6 +168,12 @@ def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: boo
     for test, verdicts in counts.items():
         lines.append(f"| {test} | " + " | ".join(str(verdicts[verdict]) for verdict in shown) + " |")
     return "\n".join(lines) + "\n"
+
+
+def _of_hidden(results: list[dict]) -> str:
+    """Names the other seed of tests that students do not see; results of before it was one have the same seed."""
+    other = results[0].get("hidden_seed", results[0]["seed"])
+    return f", of hidden tests {other}" if other != results[0]["seed"] else ""
 
 
 def _exercises(results: list[dict]) -> list[str]:

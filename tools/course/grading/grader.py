@@ -7,7 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from errors import BadInput, CourseError
+from errors import CourseError
 from grading.confined import STOP, Interrupted
 from grading.isolation import User, choose, take_user
 from grading.judge import PASSED, ExerciseVerdict, Judge
@@ -19,8 +19,9 @@ from grading.submission import Handed, Source, Submission
 from grading.text import one_line
 from grading.weights import read_weights
 from grading.workshop import Workshop, check_hidden
-from manifest import Chapter, Exercise, read_chapters
+from manifest import Exercise, all_exercises
 from paths import BUILD, SOLUTIONS
+from pick import chapters_of
 from terminal import Bar
 
 _MEMORY = BUILD / "grade"
@@ -28,12 +29,13 @@ _LONGEST = 2000  # characters of a note
 
 
 class Grader:
-    """Grades with one choice of chapters, tests, seed and limits; the reference first."""
+    """Grades with one choice of exercises, tests, seed and limits; the reference first."""
 
     def __init__(self, arguments):
         self.seed = arguments.seed if arguments.seed is not None else 1
-        self.chapters = _chosen(arguments.chapters)
-        self.exercises = [exercise for chapter in self.chapters for exercise in chapter.exercises]
+        self.hidden_seed = arguments.hidden_seed if arguments.hidden_seed is not None else self.seed
+        self.exercises = list(arguments.chapters or all_exercises())
+        self.chapters = chapters_of(self.exercises)
         self.failures: list[str] = []
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
@@ -52,8 +54,10 @@ class Grader:
                         for test in self._workshop.expected_tests(exercise)}
             idle = self._workshop.idle_tests() if hidden else set()
             self._weights.check(expected, self._workshop.hidden_tests, idle)
+            self.unseen = {test for test in expected if self._weights.of(test).visibility != "visible"}
+            self._seeds = dict.fromkeys(self.unseen, self.hidden_seed)
             self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds, arguments.exercise_time,
-                                _MEMORY, arguments.fresh)
+                                _MEMORY, arguments.fresh, self._seeds)
             for _ in range(self._jobs):
                 self._users.put(take_user(self.isolation))
             self._grade_reference()
@@ -161,8 +165,8 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8", errors="replace")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "seconds_a_test": self._seconds,
-                    "isolation": self.isolation.name,
+        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "hidden_seed": self.hidden_seed,
+                    "seconds_a_test": self._seconds, "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 
@@ -179,8 +183,9 @@ class Grader:
                 bar.step()
                 for test in tests:
                     if test.verdict != "passed":
+                        seed = self._seeds.get(test.test, self.seed)
                         raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
-                                          f"{self.seed}; nothing is graded", test.message)
+                                          f"{seed}; nothing is graded", test.message)
         finally:
             _end(pool)
             bar.done()
@@ -198,13 +203,3 @@ def _end(pool: ThreadPoolExecutor) -> None:
     if sys.exc_info()[0] is not None:
         STOP.set()
     pool.shutdown(cancel_futures=True)
-
-
-def _chosen(numbers: set[int] | None) -> list[Chapter]:
-    chapters = read_chapters()
-    if numbers is None:
-        return chapters
-    unknown = numbers - {chapter.number for chapter in chapters}
-    if unknown:
-        raise BadInput(f"grade: there is no chapter {min(unknown)}; chapters are 1 to {chapters[-1].number}")
-    return [chapter for chapter in chapters if chapter.number in numbers]

@@ -18,7 +18,7 @@ from grading.pair import SLOW, Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
-from marker import is_stub
+from marker import is_empty, is_stub
 
 PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE = "passed", "failed", "not started", "does not compile"
 TIMED_OUT, CRASHED, OUT_OF_MEMORY = "timed out", "crashed", "out of memory"
@@ -64,9 +64,11 @@ class Judge:
     """Judges with fixed limits and a fixed seed, and remembers verdicts: the same file always gets the same one."""
 
     def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, of_exercise: int,
-                 memory: Path, forget: bool = False):
+                 memory: Path, forget: bool = False, seeds: dict[str, int] | None = None):
         """Takes the seconds of a test, and the limit of time-outs of an exercise, after which no more of its tests run.
-        With `forget`, verdicts of earlier runs are not used, by this one or a later."""
+        With `forget`, verdicts of earlier runs are not used, by this one or a later. `seeds`: of tests with another
+        seed."""
+        self._seeds = {test: other for test, other in (seeds or {}).items() if other != seed}
         self._workshop, self._isolation, self._seed, self._of_exercise = workshop, isolation, seed, of_exercise
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
@@ -105,6 +107,8 @@ class Judge:
         if source.problem:
             verdict = TAMPERED if source.is_link else DOES_NOT_COMPILE
             return _all(tests, verdict, "file not taken", source.problem)
+        if is_empty(source.text):
+            return _all(tests, NOT_STARTED, "file empty", f"{source.path} has no code.")
         key = self._key(exercise, source)
         known = self._recall(key)
         if known is None or [test.test for test in known.tests] != tests:
@@ -139,7 +143,7 @@ class Judge:
         """Runs all tests with one pair of processes, or with another after one that could not continue. Returns also
         the seconds of processor time, with those of the compiler."""
         ran: list[tuple[TestVerdict, bool]] = []
-        pair, was_stopped, used = None, False, made.used
+        pair, seed, was_stopped, used = None, self._seed, False, made.used
         try:
             for test in tests:
                 if pair and not pair.alive and not pair.was_asked:
@@ -152,12 +156,16 @@ class Judge:
                                           "were slow, or had to be stopped before.")
                     ran.append((verdict, not self._excess(exercise, used) and not any(one.waited for one in so_far.tests)))
                     continue
+                if pair and pair.alive and self._seed_of(test) != seed:
+                    used += pair.used_since()
+                    pair.close()
+                seed = self._seed_of(test)
                 if not pair or not pair.alive:
-                    pair = self._pair(exercise, made.program, user)
+                    pair = self._pair(exercise, made.program, user, seed)
                 told = pair.run(test)
                 if told.timed_out and not was_stopped:
                     # A machine that is busy or stands still looks the same. Once an exercise, so that it costs little.
-                    was_stopped, pair = True, self._pair(exercise, made.program, user)
+                    was_stopped, pair = True, self._pair(exercise, made.program, user, seed)
                     told = pair.run(test)
                 ran.append(self._verdict(test, told))
                 if ran[-1][0].verdict != TIMED_OUT:  # which costs a fixed number of seconds
@@ -168,9 +176,12 @@ class Judge:
                 pair.close()
         return ran, used
 
-    def _pair(self, exercise: Exercise, program: Path, user: User) -> Pair:
+    def _seed_of(self, test: str) -> int:
+        return self._seeds.get(test, self._seed)
+
+    def _pair(self, exercise: Exercise, program: Path, user: User, seed: int) -> Pair:
         return Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
-                    self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)}, threads=exercise.function in _THREADED)
+                    self._limits_of(exercise), {"SPOOK_SEED": str(seed)}, threads=exercise.function in _THREADED)
 
     def _limits_of(self, exercise: Exercise) -> Limits:
         return replace(self._limits, **_THREADS) if exercise.function in _THREADED else self._limits
@@ -184,7 +195,8 @@ class Judge:
 
     def _key(self, exercise: Exercise, source: Source) -> str:
         limits = repr((self._limits_of(exercise), self._of_exercise))
-        parts = [self._workshop.build, exercise.label, str(self._seed), limits, self._isolation.name]
+        seeds = repr([self._seed_of(test) for test in self._workshop.expected_tests(exercise)])
+        parts = [self._workshop.build, exercise.label, seeds, limits, self._isolation.name]
         return hashlib.sha256("\0".join(parts).encode() + b"\0" + source.content).hexdigest()
 
     def _recall(self, key: str) -> ExerciseVerdict | None:

@@ -8,7 +8,7 @@ from errors import BadInput
 from grading.results import SCHEMA, write_json
 from paths import shown
 
-_THE_SAME = ("points", "attempt", "seed", "seconds_a_test", "tests", "max_score")
+_THE_SAME = ("points", "attempt", "seed", "hidden_seed", "seconds_a_test", "tests", "max_score")
 _RECORD = "delivery.json"
 _REMOVED = "no longer handed in"
 

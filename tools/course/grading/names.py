@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
 
+MOODLE = "moodle"
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)")
 _MOODLES_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>)")
 _MOODLES_NUMBER = re.compile(r"_(\d+)_assignsubmission_")
@@ -31,6 +32,7 @@ class Student:
     name: str
     identifier: str = ""  # the platform's number of the student: Moodle's participant, Canvas' or Brightspace's user
     late: bool = False
+    platform: str = ""  # MOODLE, or empty
 
 
 def _moodle(name: str, is_folder: bool) -> tuple[Student, str] | None:
@@ -40,7 +42,7 @@ def _moodle(name: str, is_folder: bool) -> tuple[Student, str] | None:
     if not found:
         return None
     is_certain = found.re is _MOODLES_FOLDER or len(set(_MOODLES_NUMBER.findall(name))) == 1
-    return Student(found["name"].strip(), found["id"] if is_certain else ""), found["file"]
+    return Student(found["name"].strip(), found["id"] if is_certain else "", platform=MOODLE), found["file"]
 
 
 def _canvas(name: str, _: bool) -> tuple[Student, str] | None:

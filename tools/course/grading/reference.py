@@ -34,7 +34,7 @@ class Reference:
         if len(set(names)) != len(names):
             raise CourseError(f"{archive.name} has two objects of one name; nothing is graded")
         _ran(["ar", "x", str(archive.resolve())], self._members)
-        self._asked = {file.name: _asked_by(file) for file in self._members.iterdir()}
+        self._asked = _asked_by(self._members)
         # Instances of templates, which a compiler defines as weak.
         self.weak = frozenset(line.split()[0] for line in _ran(["nm", "-P", "--defined-only", str(archive)], folder)
                               .splitlines() if line.split()[1:2] == ["W"])
@@ -58,7 +58,7 @@ class Reference:
         """Allows a member that is not an exercise to leave later exercises undefined. Otherwise it would not link."""
         known = {exercise.function, *callable_from(exercise)}
         later = frozenset().union(*(symbols for function, symbols in self.symbols.items() if function not in known))
-        called = later & self._asked[member.name]
+        called = later & self._asked.get(member.name, set())
         if not called:
             return member
         made = self._folder / f"{exercise.function}-{member.name}"
@@ -80,10 +80,15 @@ class Reference:
         return made
 
 
-def _asked_by(file: Path) -> frozenset[str]:
-    """Returns the symbols that an object leaves undefined."""
-    lines = _ran(["nm", "-P", "--undefined-only", str(file)], file.parent).splitlines()
-    return frozenset(line.split()[0] for line in lines if line.strip())
+def _asked_by(folder: Path) -> dict[str, set[str]]:
+    """Returns the symbols that each object leaves undefined, by its name. nm is called once: to start it takes longer
+    than to read an object."""
+    asked: dict[str, set[str]] = {}
+    names = sorted(file.name for file in folder.iterdir())
+    for line in _ran(["nm", "-A", "-P", "--undefined-only", *names], folder).splitlines():
+        name, _, symbol = line.partition(": ")
+        asked.setdefault(name, set()).add(symbol.split()[0])
+    return asked
 
 
 def _ran(command: list[str], folder: Path) -> str:

@@ -6,7 +6,8 @@ from manifest import Exercise
 
 _SYMBOL = {"done": "✓", "wrong": "✗", "not started": "·"}
 RULE = {"exercises": "An exercise has its points when all of its tests pass.",
-        "tests": "Each test that passes has its points. Tests that an empty function passes have none."}
+        "tests": "Each test that passes has its points. Tests that an empty function passes have none.",
+        "equal": "Each exercise has one point, when all of its tests pass."}
 _MORE_IN_FULL = 5
 _PRINTED_LINES = 20
 

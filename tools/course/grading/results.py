@@ -27,6 +27,7 @@ def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVer
         "student": submission.student.name,
         "identifier": submission.student.identifier,
         "late": submission.student.late,
+        "platform": submission.student.platform,
         "score": _sum(exercises, "score"),
         "max_score": _sum(exercises, "max_score"),
         **settings,
@@ -36,12 +37,15 @@ def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVer
     }
 
 
-def scored(tests: list[dict], rule: str) -> float:
-    """Gives each test its score by the rule, and returns their sum."""
+def score(exercise: dict, rule: str) -> None:
+    """Gives each test of an exercise its score by the rule, and the exercise their sum."""
+    tests = exercise["tests"]
     counts = rule == "tests" or all(test["verdict"] == PASSED for test in tests)
+    total = sum(test["points"] for test in tests)
     for test in tests:
+        test["max_score"] = test["points"] / total if rule == "equal" and total else test["points"]
         test["score"] = test["max_score"] if counts and test["verdict"] == PASSED else 0.0
-    return _sum(tests, "score")
+    exercise["score"], exercise["max_score"] = _sum(tests, "score"), _sum(tests, "max_score")
 
 
 def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdict, weights: Weights,
@@ -55,25 +59,27 @@ def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdi
             "title": weight.title,
             "verdict": test.verdict,
             "reason": test.reason,
+            "points": weight.points,
             "score": 0.0,
-            "max_score": weight.points,
+            "max_score": 0.0,
             "visibility": weight.visibility,
             "hint": weight.hint,
             "message": test.message,
             "printed": test.printed,
         })
-    score = scored(tests, rule)
-    return {
+    result = {
         "id": exercise.id,
         "function": exercise.function,
         "chapter": exercise.folder,
         "file": source.path if source else "",
         "sha256": hashlib.sha256(source.content).hexdigest() if source and not source.problem else "",
         "state": _state(tests),
-        "score": score,
-        "max_score": _sum(tests, "max_score"),
+        "score": 0.0,
+        "max_score": 0.0,
         "tests": tests,
     }
+    score(result, rule)
+    return result
 
 
 def _state(tests: list[dict]) -> str:

@@ -1,6 +1,7 @@
 """The class as a platform lists it: Canvas' gradebook, Moodle's grading worksheet, or your own table.
 
-A CSV with a line of titles, of which some are known: names, numbers, logins and addresses. A submission belongs to the
+A CSV with a line of titles, of which some are known: names, numbers, logins and addresses. Moodle translates the titles
+of its worksheet, so its columns are also found by what they hold, and so are addresses. A submission belongs to the
 row whose number the platform wrote into its name, or else to the only row whose name, login or address is the same.
 """
 
@@ -19,12 +20,15 @@ from text_encoding import decoded
 
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
-_FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
+# In the languages of most tables that instructors make themselves.
+_FIRST = ("first name", "firstname", "given name", "vorname", "prénom", "prenom", "nombre", "nome", "voornaam")
+_LAST = ("last name", "lastname", "surname", "family name", "nachname", "familienname", "nom", "nom de famille",
+         "apellido", "apellidos", "apellido(s)", "cognome", "apelido", "sobrenome", "achternaam")
 _GITHUB = "github username"
 _BRANCH = re.compile(r"-(?:main|master)$")  # at the end of an archive that GitHub makes
 _ADDRESSES = ("email address", "email")
 _NUMBERS = ("id", "identifier", "number", "participant")
-
+_PARTICIPANT = re.compile(r"(\D*[^\W\d_]\D*?)\s*(\d+)")  # "Participant 101", "Teilnehmer/in 101"
 
 _ABOVE_TITLES = re.compile(r"\A(?:\s*\n|sep=.\r?\n)+")  # as spreadsheets write them
 
@@ -96,18 +100,54 @@ class Roster:
                 if _plain(title) == _GITHUB and row[title].strip().casefold() == ending]
 
     @functools.cached_property
+    def participants(self) -> str:
+        """Returns the title of Moodle's participants, the first column, with one word before a number in each row;
+        empty if it is not so."""
+        first = self.columns[0] if self.columns else ""
+        cells = [row[first].strip() for row in self.rows if row[first].strip()]
+        found = [_PARTICIPANT.fullmatch(text) for text in cells]
+        if not found or not all(found) or len({one[1] for one in found}) > 1:
+            return ""
+        return first if len({one[2] for one in found}) == len(found) else ""
+
+    @functools.cached_property
+    def number_columns(self) -> tuple[str, ...]:
+        """Returns the titles of columns with a platform's number: Moodle's under any title that means nothing else."""
+        moodles = self.participants if _plain(self.participants) not in (*_NAMES, *_FIRST, *_LAST) else ""
+        return tuple(title for title in self.columns if _plain(title) in _NUMBERS or title == moodles != "")
+
+    @functools.cached_property
+    def _address_columns(self) -> tuple[str, ...]:
+        def has_addresses(title: str) -> bool:
+            cells = [row[title] for row in self.rows if row[title].strip()]
+            return bool(cells) and all("@" in text for text in cells)
+        return tuple(title for title in self.columns if _plain(title) in _ADDRESSES or has_addresses(title))
+
+    @functools.cached_property
+    def name_columns(self) -> tuple[str, ...]:
+        """Returns the titles of columns with whole names, logins or addresses, the most telling first. In Moodle's
+        worksheet the name follows the participant, unless names are hidden: then the state does, equal for many."""
+        known = [title for name in _NAMES for title in self.columns if _plain(title) == name]
+        second = [title for title in self.columns[1:2] if self.participants and self._are_names(title)]
+        return tuple(dict.fromkeys([*second, *known, *self._address_columns]))
+
+    def _are_names(self, title: str) -> bool:
+        cells = [row[title] for row in self.rows]
+        return 2 * len(set(cells)) > len(cells) and all(any(map(str.isalpha, text)) and "@" not in text for text in cells)
+
+    @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
-        return self._by_one_of(_NUMBERS, _digits)
+        return self._by_one_of(self.number_columns, _digits)
 
     @functools.cached_property
     def _by_address(self) -> dict[str, dict[str, str]]:
-        return self._by_one_of(_ADDRESSES, lambda text: text.strip().casefold())
+        return self._by_one_of(self._address_columns, lambda text: text.strip().casefold())
 
     def _by_one_of(self, titles: tuple[str, ...], key: Callable[[str], str]) -> dict[str, dict[str, str]]:
         """Returns the row of each key in these columns that only one row has."""
         found: dict[str, list[dict]] = defaultdict(list)
         for row in self.rows:
-            for known in {key(row[title]) for title in row if _plain(title) in titles} - {""}:
+            for known in {key(row[title]) for title in titles} - {""}:
                 found[known].append(row)
         return {known: rows[0] for known, rows in found.items() if len(rows) == 1}
 
@@ -122,15 +162,23 @@ class Roster:
     def _names_in(self, row: dict[str, str]) -> list[str]:
         """Returns all names of the student in a row, also first and last name in separate columns."""
         by_title = {_plain(title): row[title] for title in row}
-        whole = [by_title[title] for title in _NAMES if title in by_title]
+        whole = [row[title] for title in self.name_columns]
         first, last = (next((by_title[title] for title in titles if title in by_title), "")
                        for titles in (_FIRST, _LAST))
         return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
 
     def name_of(self, row: dict[str, str]) -> str:
         """Returns the name, or the number of a student whose name the platform hides."""
-        numbers = [row[title] for title in row if _plain(title) in _NUMBERS]
+        numbers = [row[title] for title in self.number_columns]
         return next((told for told in [*self._names_in(row), *numbers] if told.strip()), "?")
+
+    def number_of(self, row: dict[str, str]) -> str:
+        """Returns the student's number as a platform writes it into the name of a submission; else the address, or
+        nothing."""
+        cells = [row[title].strip() for title in (*self.number_columns, *self._address_columns)]
+        told = next((text for text in cells if text), "")
+        found = _PARTICIPANT.fullmatch(told) if self.participants else None
+        return found[2] if found else told
 
 
 def read_roster(file: Path) -> Roster:
@@ -147,10 +195,10 @@ def read_roster(file: Path) -> Roster:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
     titles = {_plain(title) for title in columns}
-    if not titles & {*_NAMES, *_NUMBERS} and not (titles & set(_FIRST) and titles & set(_LAST)):
+    roster = Roster(columns, rows)
+    if not (roster.name_columns or roster.number_columns) and not (titles & set(_FIRST) and titles & set(_LAST)):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
-    roster = Roster(columns, rows)
     # Canvas' second line says how many points are possible, and there is a student who tests.
     return Roster(columns, tuple(row for row in rows if roster.name_of(row) != "?" and not _is_no_student(row)))
 

@@ -8,7 +8,7 @@ from grading.archives import LARGEST, Entry, cause, entries_of
 from grading.choices import ATTEMPTS
 from grading.names import Student, attempt_of, student_of, unseen_removed, unseen_shown
 from manifest import Exercise, all_exercises
-from marker import is_stub
+from marker import is_empty, is_stub
 from paths import CHAPTERS
 from text_encoding import decoded, encoding_of
 
@@ -96,7 +96,8 @@ def read_submission(handed: Handed, exercises: list[Exercise], attempt: str = AT
     if not found:
         _say_what_is_there(submission, seen)
     else:
-        others = [name for name in seen if _is_worth_a_line(name)]
+        known = all_exercises()
+        others = [name for name in seen if _is_worth_a_line(name) and not rank_of(PurePosixPath(name), known)]
         if others:
             submission.notes.append(f"{NOT_TAKEN}: {_listed(others)}")
     submission.notes = _cut(submission.notes)
@@ -156,7 +157,7 @@ def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Ex
 
 
 def _choose(submission: Submission, function: str, candidates: list[_Candidate], attempt: str) -> None:
-    """Chooses the most certain file; of equal ones the last or first attempt, and the first that is not a stub."""
+    """Chooses the most certain file; of equal ones the last or first attempt, and the first that is written."""
     candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
     candidates.sort(key=lambda one: one.attempt, reverse=attempt != "first")
     candidates.sort(key=lambda one: one.rank)
@@ -174,18 +175,22 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate],
     taken = candidates[chosen]
     if taken.rank > 0 or len(candidates) > 1:
         others = [source.path for k, source in enumerate(sources) if k != chosen]
-        equal = any((one.rank, one.attempt) == (taken.rank, taken.attempt) and not is_stub(source.text)
+        equal = any((one.rank, one.attempt) == (taken.rank, taken.attempt) and not _is_unwritten(source)
                     for k, (one, source) in enumerate(zip(candidates, sources)) if k != chosen)
         note = f"taken for {function}: {unseen_shown(sources[chosen].path)}" + (A_GUESS if equal and taken.rank else "")
         submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
 
 
 def _chosen(sources: list[Source]) -> int:
-    """Returns the place of the first file that is no stub. But what is where it belongs is what was handed in, and says
+    """Returns the place of the first file that is written. But what is where it belongs is what was handed in, and says
     why it can't be taken."""
     if sources[0].problem:
         return 0
-    return next((k for k, source in enumerate(sources) if not source.problem and not is_stub(source.text)), 0)
+    return next((k for k, source in enumerate(sources) if not source.problem and not _is_unwritten(source)), 0)
+
+
+def _is_unwritten(source: Source) -> bool:
+    return is_stub(source.text) or is_empty(source.text)
 
 
 def _is_worth_a_line(name: str) -> bool:

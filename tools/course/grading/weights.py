@@ -46,7 +46,7 @@ class Weights:
 
         A hidden test without a row gets a first draft, without points for one of the `idle`.
         """
-        for test in hidden - set(self._rows):
+        for test in sorted(hidden & set(expected) - set(self._rows)):
             self._rows[test] = first_draft(test, expected[test], "hidden", 0.0 if test in idle else 1.0)
         suites = {exercise.suite for exercise in expected.values()}
         known = {exercise.suite for exercise in all_exercises()}

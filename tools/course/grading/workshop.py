@@ -2,7 +2,7 @@
 
 All of it is built once and copied to two folders. A submission is compiled with the first, which holds no answers. The
 second has the reference, for the linker, and a program with each chapter's tests, which are never linked with a
-student's code.
+student's code. After that nothing is read from the build tree, so a later build there changes no verdict.
 """
 
 import hashlib
@@ -12,12 +12,14 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from errors import BadInput, CourseError
 from grading.confined import Limits
+from grading.copies import Copies
 from grading.isolation import Isolation, take_user
 from grading.reference import Reference
 from manifest import Chapter, Exercise, all_exercises
@@ -27,6 +29,7 @@ from tree import Tree
 
 CHECK = Tree("check")
 _REFERENCE = "libspook_reference.a"
+_TRIES = 20  # to copy files of one build, a second after one another
 _LOOKING = Limits(cpu=5, wall=20, memory=1 << 30, files=0, processes=16, output=1 << 16)
 
 
@@ -82,25 +85,52 @@ class Workshop:
         self.root = Path(self._folder.name).resolve()
         self.root.chmod(0o711)  # a worker's folder can be reached by its name, and no other be listed
         self.headers, self.answers = self.root / "headers", self.root / "answers"
-        self.answers.mkdir(mode=0o700)
         self.reference_headers = self.root / "reference"  # which its own helpers have, and no submission sees
         _copy_headers(CHAPTERS, self.headers / "chapters")
         _copy_headers(SOLUTIONS, self.reference_headers)
-        build_tests(chapters)
-        self._flags = self._stage_headers(chapters[0].exercises[0])
-        self._counting = {exercise.function: _counting(exercise) for chapter in chapters for exercise in chapter.exercises}
-        self._links = {chapter.folder: self._stage_link(f"answer_{chapter.folder}") for chapter in chapters}
-        self._programs = {chapter.folder: self._stage_tests(chapter, hidden) for chapter in chapters}
-        self.reference = Reference(CHECK.path / "solutions" / _REFERENCE, self.answers / "reference")
+        self._stage_one_build(chapters, hidden)
+        self.reference = Reference(self._archive, self.answers / "reference")
         self.functions = self.reference.symbols
         self.tests = {chapter.folder: self._list_tests(chapter) for chapter in chapters}
-        shown_tests = {test for chapter in chapters for test in listed_tests(chapter)}
-        self.hidden_tests = {test for tests in self.tests.values() for test in tests} - shown_tests
+        self.hidden_tests = {test for tests in self.tests.values() for test in tests} - self._own_tests
         self.build = self._fingerprint_of_build()
         self.sources = _fingerprint_of_sources(chapters, hidden)
 
     def close(self) -> None:
         self._folder.cleanup()
+
+    def _stage_one_build(self, chapters: list[Chapter], hidden: Path | None) -> None:
+        """Copies files of one build. If another process changes one of them meanwhile, begins again. So it does if the
+        second build has something to do: a program may be linked with an archive that was half written."""
+        build_tests(chapters)
+        for _ in range(_TRIES):
+            shutil.rmtree(self.answers, ignore_errors=True)
+            self.answers.mkdir(mode=0o700)
+            self._copies, self._own_tests = Copies(), set()
+            failed = None
+            with CHECK.alone():
+                try:
+                    self._stage(chapters, hidden)
+                except (CourseError, OSError) as error:  # of a file that is half written
+                    failed = error
+            build_tests(chapters)
+            changed = self._copies.changed()
+            if not changed and failed:
+                raise failed
+            if not changed:
+                return
+            time.sleep(1)
+        raise CourseError(f"{shown(changed)} changes while it is copied: another process is building there. Grade when "
+                          "it has ended")
+
+    def _stage(self, chapters: list[Chapter], hidden: Path | None) -> None:
+        for commands in ("compile_commands.json", "build.ninja"):
+            self._copies.watch(CHECK.path / commands)
+        self._flags = self._stage_headers(chapters[0].exercises[0])
+        self._counting = {exercise.function: _counting(exercise) for chapter in chapters for exercise in chapter.exercises}
+        self._links = {chapter.folder: self._stage_link(f"answer_{chapter.folder}") for chapter in chapters}
+        self._programs = {chapter.folder: self._stage_tests(chapter, hidden) for chapter in chapters}
+        self._archive = Path(self._stage_answer(CHECK.path / "solutions" / _REFERENCE))
 
     def compile_command(self, exercise: Exercise, source: str, to: str) -> list[str]:
         return [*self._flags, *self._counting[exercise.function], "-c", source, "-o", to]
@@ -156,7 +186,7 @@ class Workshop:
         """Copies GCC's precompiled header. Clang's must stay in place, so clang reads the header itself."""
         for name in (header, header.with_name(header.name + ".gch")):
             if name.exists():
-                shutil.copyfile(name, self.headers / name.name)
+                self._copies.copy(name, self.headers / name.name)
         return self.headers / header.name
 
     def _stage_link(self, target: str) -> Linking:
@@ -177,8 +207,10 @@ class Workshop:
         """Copies the chapter's tests as a program, linked again if there are hidden ones."""
         program = self.answers / f"grade_{chapter.folder}"
         sources = _hidden_sources(chapter, hidden)
+        self._copies.copy(test_program(chapter), program)
+        program.chmod(0o755)
+        self._own_tests |= set(_listed(program))
         if not sources:
-            shutil.copy2(CHECK.program(program.name), program)
             return program
         link = self._stage_link(program.name)
         command = [*link.before, *(self._compile_hidden(chapter, source) for source in sources), *link.after]
@@ -192,7 +224,7 @@ class Workshop:
         copy = self.answers / hashlib.sha256(str(file).encode()).hexdigest()[:12] / file.name
         if not copy.exists():
             copy.parent.mkdir()
-            shutil.copyfile(file, copy)
+            self._copies.copy(file, copy)
         return str(copy)
 
     def _compile_hidden(self, chapter: Chapter, source: Path) -> str:
