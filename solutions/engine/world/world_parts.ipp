@@ -79,7 +79,7 @@ void World<Dof>::go_back() {
   time_ = before.time;
   h_ = before.h;
   gap_step_ = before.gap_step;
-  impacts_ = 0;
+  impacts_.clear();
   work_of_drives_ = 0;
 }
 

@@ -8,7 +8,7 @@ namespace spook {
 
 /// Returns the square of the speed of a joint's point on j relative to that on i [m²/s²].
 template <int Dof>
-double squared_speed(const Joint& joint, const Bodies<Dof>& bodies) {
+static double squared_speed(const Joint& joint, const Bodies<Dof>& bodies) {
   const auto velocity = [&](int body, const Vec3& p) -> Vec3 {
     const Twist<Dof>& W = bodies.motion.W[static_cast<std::size_t>(body)];
     Vec3 v = W.template head<3>();
