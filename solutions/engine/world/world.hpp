@@ -472,6 +472,7 @@ class World {
   double work_of_drives_ = 0;              // in the last step [J]
   std::vector<Kinematic<Dof>> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
+  double parts_per_second_ = 0;  // number of parts that the last part needed, over h [1/s]
   ScratchCache<BeforeStep> before_step_;
   double gap_step_ = 0;  // length of the parts that have left the gaps of joints [s]
   int pairs_ = 0;

@@ -17,7 +17,8 @@ bool World<Dof>::may_divide_steps() const {
   return settings_.max_parts > 1 && std::any_of(joints_.begin(), joints_.end(), has_default_k);
 }
 
-/// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half.
+/// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half. What the last
+/// part needed is known; if bodies or motors have been changed since, the step is taken again.
 template <int Dof>
 void World<Dof>::divide_steps(double h) {
   if (settings_.soft_steps) {
@@ -25,7 +26,7 @@ void World<Dof>::divide_steps(double h) {
     return;
   }
   if (!may_divide_steps()) return;
-  const double needed = rows().empty() ? parts_needed_at_first(h) : parts_needed_now(h);
+  const double needed = rows().empty() ? parts_needed_at_first(h) : parts_per_second_ * h;
   const int parts = rounded_up(needed, settings_.max_parts);
   calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;
   if (parts > parts_) parts_ = parts;
@@ -44,6 +45,7 @@ double World<Dof>::parts_needed_now(double h) const {
 template <int Dof>
 bool World<Dof>::divide_more(double h) {
   const double needed = parts_needed_now(h);
+  parts_per_second_ = needed / h;
   if (needed > settings_.max_parts) gap_step_ = std::max(gap_step_, needed / settings_.max_parts * h_);
   const int parts = rounded_up(needed, settings_.max_parts);
   if (parts <= parts_) return false;

@@ -105,7 +105,8 @@ void World<Dof>::start_consistently(double h) {
     newton<Dof>(FrictionModel::cone).solve(solver_input(constraints_, V_, start_, h, StopRule{}));
   }
   h_ = h;
-  divide_steps(h);  // by these forces
+  if (may_divide_steps()) parts_per_second_ = parts_needed_now(h) / h;  // by these forces
+  divide_steps(h);
   h_ = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / (2 * parts_);
   forget_the_last_step();
