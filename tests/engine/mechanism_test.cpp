@@ -139,9 +139,10 @@ TEST(Weld, OfTwoBoxesMovesThemAsOne) {
   EXPECT_GT(orientation(one, whole).angularDistance(Quat::Identity()), 1) << "it should tumble";
 }
 
-/// Two bodies without shapes that tumble freely, joined beside their centres.
+/// Two bodies without shapes that tumble freely, joined beside their centres. The joint's points are apart at first. With
+/// a k all motion is that of the rows; without one joints may recover, which changes the angular momentum.
 World<6> pair_of_bodies(JointKind kind, testing::Random& random) {
-  World<6> world({.gravity = Vec3::Zero(), .d = 3});
+  World<6> world({.gravity = Vec3::Zero(), .k = 1e9, .d = 3});
   for (int n = 0; n < 2; ++n)
     world.add({.x = Vec3(n, 0, 0),
                .v = random.vector(),

@@ -167,8 +167,8 @@ TEST(Solvers, MayBeWrittenByTheUser) {
 
 TEST(Solvers, RefuseWhatTheyCanNotTake) {
   expect_refusal({"two_pass", "null"}, [] { two_pass<3>({}); });
-  expect_refusal({"two_pass", "limits", "cone"}, [] { two_pass(cone_gauss_seidel<6>()); });
-  expect_refusal({"two_pass", "limits", "two_pass"}, [] { two_pass(two_pass(direct<3>())); });
+  expect_refusal({"two_pass", "friction model box", "cone"}, [] { two_pass(cone_gauss_seidel<6>()); });
+  expect_refusal({"two_pass", "friction model box", "has two_pass"}, [] { two_pass(two_pass(direct<3>())); });
   expect_refusal({"geometric_stiffness", "null"}, [] { geometric_stiffness<3>({}); });
   expect_refusal({"geometric_stiffness", "rigid"}, [] { geometric_stiffness(direct<6>()); });
 }

@@ -3,18 +3,22 @@
 namespace spook {
 
 /// Returns I ω of a rigid body [kg m²/s].
-static Vec3 spin(const Bodies<6>& bodies, std::size_t i) {
+static Vec3 spin(const Bodies<6>& bodies, std::size_t i, const Twist<6>& W) {
   const Orientations<6>& turned = bodies.orientations;
-  return world_inertia(turned.q[i], turned.principal[i]) * bodies.motion.W[i].tail<3>();
+  return world_inertia(turned.q[i], turned.principal[i]) * W.tail<3>();
 }
 
 template <int Dof>
 double kinetic_energy(const Bodies<Dof>& bodies) {
+  return kinetic_energy(bodies, bodies.motion.W);
+}
+
+template <int Dof>
+double kinetic_energy(const Bodies<Dof>& bodies, const std::vector<Twist<Dof>>& W) {
   double T = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Twist<Dof>& W = bodies.motion.W[i];
-    T += bodies.mass[i] * W.template head<3>().squaredNorm() / 2;
-    if constexpr (Dof == 6) T += W.template tail<3>().dot(spin(bodies, i)) / 2;
+    T += bodies.mass[i] * W[i].template head<3>().squaredNorm() / 2;
+    if constexpr (Dof == 6) T += W[i].template tail<3>().dot(spin(bodies, i, W[i])) / 2;
   }
   return T;
 }
@@ -38,13 +42,15 @@ Vec3 angular_momentum(const Bodies<Dof>& bodies) {
   Vec3 L = Vec3::Zero();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     L += bodies.mass[i] * bodies.x[i].cross(Vec3(bodies.motion.W[i].template head<3>()));
-    if constexpr (Dof == 6) L += spin(bodies, i);
+    if constexpr (Dof == 6) L += spin(bodies, i, bodies.motion.W[i]);
   }
   return L;
 }
 
 template double kinetic_energy<3>(const Bodies<3>&);
 template double kinetic_energy<6>(const Bodies<6>&);
+template double kinetic_energy<3>(const Bodies<3>&, const std::vector<Twist<3>>&);
+template double kinetic_energy<6>(const Bodies<6>&, const std::vector<Twist<6>>&);
 template double potential_energy<3>(const Bodies<3>&, const Vec3&);
 template double potential_energy<6>(const Bodies<6>&, const Vec3&);
 template Vec3 momentum<3>(const Bodies<3>&);

@@ -11,7 +11,8 @@
 //
 // Rows that hold a joint do no work, since its points do not move apart. If a step is long beside what happens in it, as
 // when a chain snaps taut, they do: they close the gap that the step has left, with a speed. So they recover, too, if
-// their work is more than a hundredth of the kinetic energy:
+// their work is more than a hundredth of the kinetic energy. A position that moves with one velocity and goes on with
+// another changes the angular momentum a little:
 //
 //   Σ λ (u₀ + u₁)/2                work of rows in a step [J], with their rates before and after it: u₀ = G W and
 //                                  u₁ = G (W + W_f + V)                                                    Eq. (13.19)
