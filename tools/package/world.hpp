@@ -4,8 +4,8 @@
 #if __cplusplus <= 201703L
 #error "spook needs C++20: compile with -std=c++20"
 #endif
-#include "spook/engine/collision/queries.hpp"
 #include "spook/engine/bodies/conserved_quantities.hpp"
+#include "spook/engine/collision/queries.hpp"
 #include "spook/engine/diagnostics/contact_events.hpp"
 #include "spook/engine/diagnostics/run_check.hpp"
 #include "spook/engine/support/state_stream.hpp"
