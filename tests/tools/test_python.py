@@ -715,7 +715,8 @@ class SoftSteps(WithModule):
     def test_a_tower_stands(self):
         soft = self.tower(soft_steps=4)
         self.assertNotEqual(soft.state, "lost", soft.reason)
-        np.testing.assert_allclose(soft.x[1:], self.tower().x[1:], atol=0.01 * 0.2)
+        # Each of the five contacts sags by at most a hundredth of a cube.
+        np.testing.assert_allclose(soft.x[1:], self.tower().x[1:], atol=5 * 0.01 * 0.2)
         self.assertGreater(np.abs(soft.x - self.tower(soft_steps=16).x).max(), 0)
 
     def test_without_a_k(self):
