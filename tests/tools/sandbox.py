@@ -20,6 +20,13 @@ from manifest import Exercise, all_exercises  # noqa: E402
 from reset import stub_of  # noqa: E402
 from watching import Watching  # noqa: E402
 
+# An answer to exercise 1.1 under which nothing falls.
+STILL = """#include "01_leapfrog/leapfrog.hpp"
+namespace spook {
+Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
+}  // namespace spook
+"""
+
 _IDENTITY = ("-c", "user.name=Sandbox", "-c", "user.email=sandbox@localhost", "-c", "commit.gpgsign=false")
 
 

@@ -7,13 +7,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from sandbox import Sandbox, all_exercises
-
-STILL = """#include "01_leapfrog/leapfrog.hpp"
-namespace spook {
-Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
-}  // namespace spook
-"""
+from sandbox import STILL, Sandbox, all_exercises
 
 
 class CoursePlot(unittest.TestCase):

@@ -39,8 +39,9 @@ std::vector<RigidLimit> World<Dof>::rigid_limits(double h) const {
 }
 
 /// Returns the rows that hold joints without a k of their own if their work, Eq. (13.19), is more than a hundredth of
-/// the kinetic energy before and after the step, and of that which forces alone would give in it; else none. A gap of more than a twentieth of an arm was not left by a
-/// step: such joints are pulled together.
+/// three kinetic energies: before the step, after it, and that which forces alone would give a resting world; else none.
+/// Returns none, too, if a gap is more than a twentieth of an arm. No step has left such a gap: the joint did not fit its
+/// bodies, and is pulled together.
 template <int Dof>
 std::vector<std::size_t> World<Dof>::rows_that_work() const {
   const Motion<Dof>& motion = bodies_.motion;
@@ -90,6 +91,7 @@ void World<Dof>::take_out_recovery(double h) {
                                    {.limits = rigid_limits(h), .holding = rows_that_work()});
   if (!without) return;
   StopRule stop = stop_rule(h);
+  // Where there are joints, the second solve holds them as exactly as the first.
   if (joints_.empty()) stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
   WarmStartCache first;
   first.remember(*without, contacts_, h, settings_.threads);
