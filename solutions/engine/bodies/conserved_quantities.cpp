@@ -9,17 +9,16 @@ static Vec3 spin(const Bodies<6>& bodies, std::size_t i, const Twist<6>& W) {
 }
 
 template <int Dof>
-double kinetic_energy(const Bodies<Dof>& bodies) {
-  return kinetic_energy(bodies, bodies.motion.W);
+double kinetic_energy(const Bodies<Dof>& bodies, std::size_t i, const Twist<Dof>& W) {
+  double T = bodies.mass[i] * W.template head<3>().squaredNorm() / 2;
+  if constexpr (Dof == 6) T += W.template tail<3>().dot(spin(bodies, i, W)) / 2;
+  return T;
 }
 
 template <int Dof>
-double kinetic_energy(const Bodies<Dof>& bodies, const std::vector<Twist<Dof>>& W) {
+double kinetic_energy(const Bodies<Dof>& bodies) {
   double T = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    T += bodies.mass[i] * W[i].template head<3>().squaredNorm() / 2;
-    if constexpr (Dof == 6) T += W[i].template tail<3>().dot(spin(bodies, i, W[i])) / 2;
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) T += kinetic_energy(bodies, i, bodies.motion.W[i]);
   return T;
 }
 
@@ -49,8 +48,8 @@ Vec3 angular_momentum(const Bodies<Dof>& bodies) {
 
 template double kinetic_energy<3>(const Bodies<3>&);
 template double kinetic_energy<6>(const Bodies<6>&);
-template double kinetic_energy<3>(const Bodies<3>&, const std::vector<Twist<3>>&);
-template double kinetic_energy<6>(const Bodies<6>&, const std::vector<Twist<6>>&);
+template double kinetic_energy<3>(const Bodies<3>&, std::size_t, const Twist<3>&);
+template double kinetic_energy<6>(const Bodies<6>&, std::size_t, const Twist<6>&);
 template double potential_energy<3>(const Bodies<3>&, const Vec3&);
 template double potential_energy<6>(const Bodies<6>&, const Vec3&);
 template Vec3 momentum<3>(const Bodies<3>&);

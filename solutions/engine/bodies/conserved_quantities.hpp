@@ -8,11 +8,11 @@
 
 namespace spook {
 
-/// The kinetic energy T [J]; the second is that with other velocities W.
+/// The kinetic energy T [J]; the second is that of body i with a velocity W.
 template <int Dof>
 double kinetic_energy(const Bodies<Dof>& bodies);
 template <int Dof>
-double kinetic_energy(const Bodies<Dof>& bodies, const std::vector<Twist<Dof>>& W);
+double kinetic_energy(const Bodies<Dof>& bodies, std::size_t i, const Twist<Dof>& W);
 
 /// The potential energy of the weight, -Σ m g·x [J]: 0 at the height of the origin.
 template <int Dof>

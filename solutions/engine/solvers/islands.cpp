@@ -5,24 +5,11 @@
 #include <numeric>
 #include <span>
 
+#include "engine/support/disjoint_sets.hpp"
+
 namespace spook {
 
 namespace {
-
-/// Disjoint sets.
-class Groups {
- public:
-  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(int a, int b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Calls `each` with the dynamic bodies of a row.
 template <int Dof, class Each>
@@ -111,7 +98,7 @@ int moving_bodies(const std::vector<Row<Dof>>& rows) {
 
 template <int Dof>
 std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
-  Groups groups(bodies);
+  DisjointSets groups(bodies);
   for (const Row<Dof>& row : rows)
     if (moves_i(row) && moves_j(row)) groups.join(row.i, row.j);
   std::vector<std::vector<int>> all;

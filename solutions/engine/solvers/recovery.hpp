@@ -9,13 +9,8 @@
 //   x += h (W + W_f + V)           positions move with the first solution, the overlap shrinks by the part a h
 //   W <- W + W_f + V'              velocities go on with the second: a plastic impact
 //
-// Rows that hold a joint do no work, since its points do not move apart. If a step is long beside what happens in it, as
-// when a chain snaps taut, they do: they close the gap that the step has left, with a speed. So they recover, too, if
-// their work is more than a hundredth of the kinetic energy. A position that moves with one velocity and goes on with
-// another changes the angular momentum a little:
-//
-//   Σ λ (u₀ + u₁)/2                work of rows in a step [J], with their rates before and after it: u₀ = G W and
-//                                  u₁ = G (W + W_f + V)                                                    Eq. (13.19)
+// Which rows of joints recover is in engine/constraints/joint_recovery.hpp. A position that moves with one velocity and
+// goes on with another changes the angular momentum a little.
 //
 // Σ = 0 leaves the corners of a box without one solution; a thousandth of S_kk is taken, which leaves a thousandth of
 // the speed that was stopped, inwards.
@@ -23,21 +18,10 @@
 #include <optional>
 #include <vector>
 
+#include "engine/constraints/joint_recovery.hpp"
 #include "engine/solvers/solver.hpp"
 
 namespace spook {
-
-/// The row of a joint's limit, or of a rope, that is no spring.
-struct RigidLimit {
-  std::size_t row;
-  double ignored;  ///< it recovers if it opens faster [m/s or rad/s]
-};
-
-/// The rows of joints that may recover.
-struct JointRecovery {
-  std::vector<RigidLimit> limits = {};
-  std::vector<std::size_t> holding = {};  ///< rows that hold joints, and have done work
-};
 
 /// Returns the rows of the second solve, from the solved system `s`; λ is that of the first. Returns none where no
 /// contact that pushes opens faster than `ignored` [m/s], and no joint recovers. `may_throw` says which contacts are

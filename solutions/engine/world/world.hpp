@@ -407,8 +407,6 @@ class World {
   SolverInput<Dof> solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
-  std::vector<RigidLimit> rigid_limits(double h) const;
-  std::vector<std::size_t> rows_that_work() const;
   void take_out_recovery(double h);
   void add_work_of_drives();
   void update_kinematic_velocities(double h);
