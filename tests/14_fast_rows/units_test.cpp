@@ -78,7 +78,7 @@ EXERCISE_TEST(UpdateContact, IsTheSameInAnyUnits) {
 EXERCISE_TEST(UpdatePack, IsTheSameInAnyUnits) {
   using namespace units;
   Random random;
-  const Heap heap(random, 20, 30);
+  const Heap heap(random, 8, 10);
   for (const Colour<6>& colour : packed(heap.rows, heap.V.size()))
     for (const Pack<6>& pack : colour)
       if (!expect_same_in_any_units("Eq. (14.9)", update_pack<6>, m / s, pack, heap.V * velocity)) return;
@@ -87,7 +87,7 @@ EXERCISE_TEST(UpdatePack, IsTheSameInAnyUnits) {
 EXERCISE_TEST(SolveInColours, IsTheSameInAnyUnits) {
   using namespace units;
   Random random;
-  const Heap heap(random, 10, 20);
+  const Heap heap(random, 5, 6);
   const std::vector<Colour<6>> colours = packed(heap.rows, heap.V.size());
   // On one thread only: with a data race the result of several threads differs from call to call.
   for (const int sweeps : {100, 5})
