@@ -15,8 +15,8 @@
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
 //
-// Differs from the notes: (38) there uses the old ω together with the new v of (37). And a body whose ω changes by
-// torques only conserves ω, although L is conserved in nature.
+// Differs from the notes: (38) there uses the old ω together with the new v of (37). And if only torques
+// change ω, a free body keeps ω. In nature it keeps L.
 #include "01_leapfrog/leapfrog.hpp"
 #include "common/simulation.hpp"
 #include "common/types.hpp"
@@ -39,7 +39,7 @@ Quat update_exponential(const Quat& q, const Vec3& omega, double h);
 /// [1/(kg m²)] instead, it is the world's inverse inertia, by the same formula.
 Mat3 world_inertia(const Quat& q, const Vec3& principal);
 
-/// Exercise 2.5. The torque [N m] with which Iω' = τ is equivalent to dL/dt = τ: Eq. (2.9). `inertia` is in world
+/// Exercise 2.5. The torque [N m] that is added to τ, so that Iω' = τ + τ_gyro means dL/dt = τ: Eq. (2.9). `inertia` is in world
 /// coordinates, like ω.
 Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 

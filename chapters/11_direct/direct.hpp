@@ -2,8 +2,8 @@
 // Chapter 11 · The direct solver
 //
 // Forms S as a sparse matrix and factorises it: accurate to round-off, by a number of operations that is known
-// beforehand. Bounds are treated by an interior-point method: a multiplier that vanishes at the end, the push, keeps
-// each row inside its bounds. A step takes one factorisation.
+// beforehand. Bounds are treated by an interior-point method: each bound has a multiplier, its push, which
+// keeps the row inside. At the end the push is zero unless the row is at that bound. A step takes one factorisation.
 //
 //   Schur complement   S = G M⁻¹ Gᵀ + Σ,  S_kl of rows that share no body is 0          Eq. (11.1)   notes (16)
 //   saddle point       [M  Gᵀ; G  -Σ] [V; -λ] = [0; B]                                  Eq. (11.2)   notes, [1]
