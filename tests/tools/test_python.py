@@ -228,6 +228,19 @@ class Worlds(WithModule):
         np.testing.assert_array_equal(contacts["normal"], np.tile([0, 0, 1], (4, 1)))
         self.assertEqual(world.report()["contacts"], 4)
 
+    def test_a_ball_that_bounces_is_in_impacts(self):
+        h = 1 / 240
+        world = spook.World(restitution=1)
+        floor = world.add_plane()
+        ball = world.add(x=(0, 0, 1.1), radius=0.1)
+        while not len(world.impacts()["speed"]):
+            self.assertLess(world.time, 1)
+            world.step(h)
+        impacts = world.impacts()
+        self.assertEqual({int(impacts["i"][0]), int(impacts["j"][0])}, {floor, ball})
+        # It falls by 1 m, and is found at most one step late.
+        self.assertAlmostEqual(impacts["speed"][0], np.sqrt(2 * 9.81), delta=9.81 * h)
+
     def test_a_pendulum_at_rest_pulls_with_its_weight(self):
         world, h = spook.PointWorld(), 1 / 60
         fixed, bob = world.add_fixed((0, 0, 0)), world.add(x=(0, 0, -1), mass=3)

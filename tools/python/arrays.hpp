@@ -49,6 +49,22 @@ py::dict contacts(const PythonWorld<Dof>& self) {
                   "normal_impulse"_a = normal_impulse, "impulse"_a = impulse, "force"_a = force);
 }
 
+/// The impacts of the last step, with an array for each number.
+template <int Dof>
+py::dict impacts(const PythonWorld<Dof>& self) {
+  const std::vector<Impact>& all = self.world().impacts();
+  const auto n = static_cast<Eigen::Index>(all.size());
+  Eigen::VectorXi i(n), j(n);
+  Eigen::VectorXd speed(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Impact& impact = all[static_cast<std::size_t>(k)];
+    i[k] = impact.i;
+    j[k] = impact.j;
+    speed[k] = impact.speed;
+  }
+  return py::dict("i"_a = i, "j"_a = j, "speed"_a = speed);
+}
+
 /// The joints, with an array for each number.
 template <int Dof>
 py::dict joints(const PythonWorld<Dof>& self) {

@@ -418,6 +418,7 @@ void bind_both(Binding<Dof>& type, const char* name) {
       .property("reason", &Self::reason)
       .property("note", &Self::note)
       .def("contacts", &contacts<Dof>)
+      .def("impacts", &impacts<Dof>)
       .def("joints", &joints<Dof>)
       .def("joint_impulse", &joint_impulse<Dof>, "joint"_a)
       .ask("joint_force", std::mem_fn(&World<Dof>::joint_force), "joint"_a)

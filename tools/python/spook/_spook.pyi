@@ -111,6 +111,9 @@ class _EitherWorld:
     def contacts(self) -> dict[str, NDArray[Any]]:
         """Copies of the contacts of the last step: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s],
         and force [N], on j. Either body may have the smaller index."""
+    def impacts(self) -> dict[str, NDArray[Any]]:
+        """Copies of the impacts of the last step, collisions with restitution: i, j, and the speed [m/s] of the approach
+        along the normal. Afterwards the contact may be open again, and then contacts() does not have it."""
     def joints(self) -> dict[str, Any]:
         """Copies of the joints: kind, i, j, and the force on j in the last step [N]. A World adds the torque [N m], and
         position [rad or m] and speed of hinges and sliders; NaN for other joints."""
