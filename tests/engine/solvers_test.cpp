@@ -169,6 +169,11 @@ TEST(Solvers, RefuseWhatTheyCanNotTake) {
   expect_refusal({"two_pass", "null"}, [] { two_pass<3>({}); });
   expect_refusal({"two_pass", "friction model box", "cone"}, [] { two_pass(cone_gauss_seidel<6>()); });
   expect_refusal({"two_pass", "friction model box", "has two_pass"}, [] { two_pass(two_pass(direct<3>())); });
+  const auto two_passes = FrictionModel::two_pass;
+  expect_refusal({"newton", "box or cone", "two_pass"}, [&] { newton<6>(two_passes); });
+  expect_refusal({"anderson", "box or cone", "two_pass"}, [&] { anderson<3>(two_passes); });
+  expect_refusal({"auto", "box or cone", "two_pass"}, [&] { automatic<6>(two_passes); });
+  expect_refusal({"colours", "box or cone", "two_pass"}, [&] { colours<3>(two_passes); });
   expect_refusal({"geometric_stiffness", "null"}, [] { geometric_stiffness<3>({}); });
   expect_refusal({"geometric_stiffness", "rigid"}, [] { geometric_stiffness(direct<6>()); });
 }

@@ -196,6 +196,8 @@ TEST(Bodies, ArePlacedAndTurned) {
   EXPECT_LE((angular_velocity(world, body) - Vec3(0, 0, 2)).norm(), 1e-13);
   expect_refusal({"body", "0"}, [&] { world.place(0, Vec3::Zero(), Vec3::Zero()); });
   expect_refusal({"q", "2"}, [&] { world.turn(body, Quat(2, 0, 0, 0), Vec3::Zero()); });
+  expect_refusal({"h", "-1"}, [&] { (void)world.velocity_lag(-1); });
+  expect_refusal({"h", "nan"}, [&] { (void)world.stop_rule(std::nan("")); });
 }
 
 // Constraints

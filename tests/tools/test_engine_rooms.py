@@ -99,12 +99,12 @@ class Page(unittest.TestCase):
         functions = set(re.findall(r"^  [^/\n]*?\b(\w+)\([^()\n]*\)(?: const)?(?: \{.*)?;?.*$", public, re.MULTILINE))
         self.assertLessEqual({"add", "step", "x", "report", "row_updates", "remove_joint"}, functions)
         for name in functions - {"World"}:
-            self.assertIn(f"`{name}(", page)
+            self.assertTrue(f"`{name}(" in page, f"{name}() is not in engine/README.md")
         settings = re.search(r"struct Settings \{(.*?)\n\};", text, re.DOTALL)[1]
         members = re.findall(r"^  (?:\[\[.*?\]\] )?[\w:<>]+ (\w+) = ", settings, re.MULTILINE)
         self.assertLessEqual({"gravity", "impacts", "rotation", "solver_limits"}, set(members))
         for name in members:
-            self.assertIn(f"| `{name}` |", page)
+            self.assertTrue(f"| `{name}` |" in page, f"the setting {name} is not in engine/README.md")
 
 
 if __name__ == "__main__":

@@ -29,6 +29,12 @@ inline std::string name_of(FrictionModel model) {
   return model == FrictionModel::box ? "box" : model == FrictionModel::cone ? "cone" : "two_pass";
 }
 
+/// Throws std::invalid_argument, naming the solver, for friction in two passes.
+inline void require_box_or_cone(const std::string& solver, FrictionModel model) {
+  if (model == FrictionModel::two_pass)
+    throw std::invalid_argument("the friction model of " + solver + " must be box or cone, but is two_pass");
+}
+
 /// Friction settings.
 struct Friction {
   double c = 1e12;  ///< viscosity [N s/m]: under a force F a sticking contact creeps at F/c, Eq. (5.5)

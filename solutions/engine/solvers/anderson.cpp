@@ -136,6 +136,7 @@ double error_of_accelerated(const std::vector<double>& history) {
 
 template <int Dof>
 Solver<Dof> anderson(FrictionModel model) {
+  require_box_or_cone("anderson", model);
   const bool on_cones = model == FrictionModel::cone;
   return {.solve = [on_cones](const SolverInput<Dof>& s) -> SolverResult {
             const std::vector<FrictionContact> none;

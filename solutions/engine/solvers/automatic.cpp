@@ -275,6 +275,7 @@ class Automatic {
 
 template <int Dof>
 Solver<Dof> automatic(FrictionModel model) {
+  require_box_or_cone("auto", model);
   return {.solve = Automatic<Dof>(model),
           .friction = model,
           .wants_last = true,

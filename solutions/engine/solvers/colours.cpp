@@ -45,6 +45,7 @@ static SolverResult solve_on_discs(const SolverInput<Dof>& s) {
 
 template <int Dof>
 Solver<Dof> colours(FrictionModel model) {
+  require_box_or_cone("colours", model);
   return {.solve = model == FrictionModel::cone ? solve_on_discs<Dof> : solve_with_bounds<Dof>,
           .friction = model};
 }

@@ -58,6 +58,7 @@ class Newton {
 
 template <int Dof>
 Solver<Dof> newton(FrictionModel model) {
+  require_box_or_cone("newton", model);
   return {.solve = Newton<Dof>(model),
           .friction = model == FrictionModel::cone ? model : FrictionModel::box,
           .wants_last = true};

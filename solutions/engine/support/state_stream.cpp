@@ -23,6 +23,12 @@ void StateStream::require_same(const std::string& name, std::size_t count) {
                                 ", as where the state was written, but is " + std::to_string(count));
 }
 
+void StateStream::require_same_hash(const std::string& name, std::size_t hash) {
+  std::uint64_t written = hash;
+  visit(written);
+  if (written != hash) throw std::invalid_argument(name + " must be those with which the state was written");
+}
+
 std::uint64_t hash_of(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;

@@ -295,10 +295,17 @@ void World<Dof>::warm_start_rows(double h) {
   if (!impulses.empty()) warm_start(impulses, constraints_.rows, V_);  // Eq. (10.2)
 }
 
+template <int Dof>
+double World<Dof>::velocity_lag(double h) const {
+  require_positive("h", h);
+  return settings_.integrator_order == 4 ? 0 : h / parts_ / 2;
+}
+
 /// Returns the stop rule, with a lower bound of the tolerance. A row's residual, Eq. (4.6), is a sum of four rounded
 /// terms; under gravity the largest are at least |gravity| h. A sweep with a smaller change has converged.
 template <int Dof>
 StopRule World<Dof>::stop_rule(double h) const {
+  require_positive("h", h);
   using Limits = std::numeric_limits<double>;
   const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
   StopRule stop = settings_.solver_limits;

@@ -276,8 +276,9 @@ class World {
   const Vec3& x(int body) const { return bodies_.x[index(body)]; }                     ///< [m]
   Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
 
-  /// The time from velocities to positions [s]: half a part of a step of `h`, and 0 at order 4.
-  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / parts_ / 2; }
+  /// The time from velocities to positions [s]: half a part of a step of `h`, and 0 at order 4. Throws
+  /// std::invalid_argument, naming h, unless it is positive.
+  double velocity_lag(double h) const;
 
   /// The number of parts of the last step: engine/constraints/step_parts.hpp. Contacts, rows, forces and impulses
   /// belong to its last part.
@@ -339,7 +340,7 @@ class World {
   const SolveReport& solved() const { return solved_; }
 
   /// Returns the stop rule of a step of `h` [s]: that of the settings, with a tolerance of at least four rounding
-  /// errors of |gravity| h.
+  /// errors of |gravity| h. Throws std::invalid_argument, naming h, unless it is positive.
   StopRule stop_rule(double h) const;
 
   /// Returns the report of the last step. Computes the residual here, not in the step.

@@ -66,7 +66,7 @@ void World<Dof>::state(StateStream& s) {
   s.require_same("degrees of freedom of a body", Dof);
   s.require_same("number of bodies", bodies_.size());
   s.require_same("number of joints", joints_.size());
-  s.require_same("hash of masses, shapes, joints and settings", hash_of_build(*this));
+  s.require_same_hash("masses, shapes, joints and settings", hash_of_build(*this));
   Motion<Dof>& motion = bodies_.motion;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     s(bodies_.x[i], motion.W[i], motion.Wf[i], motion.inverse_mass[i]);
