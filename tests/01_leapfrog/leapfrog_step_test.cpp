@@ -159,12 +159,12 @@ EXERCISE_TEST(LeapfrogStep, ConservesMomentum) {
       "The springs pull both ends alike. Momentum is lost when two bodies see different positions.");
 }
 
-EXERCISE_TEST(LeapfrogStep, KeepsTheOscillatorsInvariantFor1e5Steps) {
+EXERCISE_TEST(LeapfrogStep, KeepsTheOscillatorsInvariantForManySteps) {
   const double h = 0.5;
   Particles p = oscillator();
   start_half_step_back(p, spring, h);
   double first = 0, worst = 0;
-  for (int n = 0; n < 100000; ++n) {
+  for (int n = 0; n < 20000; ++n) {
     const double x = p.x[0].x(), v_before = p.v[0].x();
     leapfrog_step(p, spring, h);
     const double invariant = (v_before * p.v[0].x() + x * x) / 2;
@@ -173,17 +173,17 @@ EXERCISE_TEST(LeapfrogStep, KeepsTheOscillatorsInvariantFor1e5Steps) {
     if (std::isnan(error) || error > worst) worst = error;
   }
   expect_at_most(
-      "change of ½ v_{n-1/2} v_{n+1/2} + ½ x_n² over 1e5 steps, h ω = 0.5 [J]", "Eq. (1.9)", worst,
-      1e5 * 4 * 2.3e-16, "1e5 steps of 4 roundings",
+      "change of ½ v_{n-1/2} v_{n+1/2} + ½ x_n² over 2e4 steps, h ω = 0.5 [J]", "Eq. (1.9)", worst,
+      2e4 * 4 * 2.3e-16, "2e4 steps of 4 roundings",
       "Leapfrog conserves this exactly. Explicit Euler multiplies the energy by 1 + (hω)² each step.");
 }
 
-EXERCISE_TEST(LeapfrogStep, KeepsTheOrbitsEnergyInItsBandFor1e5Steps) {
+EXERCISE_TEST(LeapfrogStep, KeepsTheOrbitsEnergyInItsBandForManySteps) {
   const double h = 2 * std::acos(-1.0) / 200;
   Particles p = orbit();
   start_half_step_back(p, sun, h);
   double first_orbits = 0, all = 0;
-  for (int n = 0; n < 100000; ++n) {
+  for (int n = 0; n < 20000; ++n) {
     const Vec3 x = p.x[0], v_before = p.v[0];
     leapfrog_step(p, sun, h);
     const Vec3 v = (v_before + p.v[0]) / 2;  // at the time of x: Eq. (1.6)
@@ -191,7 +191,7 @@ EXERCISE_TEST(LeapfrogStep, KeepsTheOrbitsEnergyInItsBandFor1e5Steps) {
     if (std::isnan(error) || error > all) all = error;
     if (n < 1000) first_orbits = all;
   }
-  expect_at_most("largest energy error of an orbit over 500 rounds, over that of the first 5", "Eq. (1.9)",
+  expect_at_most("largest energy error of an orbit over 100 rounds, over that of the first 5", "Eq. (1.9)",
                  all / first_orbits, 1.05, "the band does not widen; 5 % for where in the orbit the steps fall",
                  "The energy error of leapfrog oscillates, but does not grow.");
   expect_at_most("largest energy error of the orbit, over its energy", "Eq. (1.9)", all / 0.5, 0.01,

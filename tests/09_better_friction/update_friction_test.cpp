@@ -237,7 +237,7 @@ Vec2 solve_on_disc(const Eigen::Matrix2d& S, const Vec2& B, double radius) {
 // Each update shortens the error by 1 - s_min/s at least. The random bodies have s_min/s above 0.01.
 EXERCISE_TEST(UpdateFriction, ConvergesToCoulombsLaw) {
   Random random;
-  Regions regions({"sticks", "slides"}, 20);
+  Regions regions({"sticks", "slides"}, 10);
   while (regions.lack_draws()) {
     System<6> s = random_touch(random);
     const FrictionContact contact = s.contacts[0];

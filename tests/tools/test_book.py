@@ -3,6 +3,7 @@
 import html
 import re
 import unittest
+from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
@@ -18,13 +19,13 @@ LESSON = "chapters/01_leapfrog/README.md"
 TAG = re.compile(r"\\tag\{([0-9.]+[a-z]?)\}")
 
 
-def bound(test: type[unittest.TestCase]) -> Sandbox:
-    """Makes a sandbox for all tests of a class; skips them where the book cannot be made."""
+def bound(add_cleanup: Callable) -> Sandbox:
+    """Makes a sandbox; skips its tests where the book cannot be made."""
     missing = [need.package for need in BOOK_NEEDS if not need.there()]
     if missing:
         raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
     box = Sandbox()
-    test.addClassCleanup(box.close)
+    add_cleanup(box.close)
     return box
 
 
@@ -61,7 +62,7 @@ class Site(HTMLParser):
 class Book(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        box = bound(cls)
+        box = bound(cls.addClassCleanup)
         cls.result = box.course("book", "--films")
         cls.folder = box.root / "build" / "book"
         cls.pages = {page: Site(page) for page in sorted(cls.folder.rglob("*.html"))}
@@ -306,7 +307,7 @@ int main() {}  // comment
 
     @classmethod
     def setUpClass(cls):
-        box = bound(cls)
+        box = bound(cls.addClassCleanup)
         (box.root / "chapters" / "98_more").mkdir()
         (box.root / "chapters" / "98_more" / "README.md").write_text(cls.PAGE, encoding="utf-8")
         result = box.course("book", "--films")
@@ -336,7 +337,7 @@ int main() {}  // comment
 class Refused(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.box = bound(cls)
+        cls.box = bound(cls.addClassCleanup)
 
     def refused(self, *planted: tuple[str, str]) -> None:
         """Expects that each piece of text, at the end of a lesson, is reported with its line."""

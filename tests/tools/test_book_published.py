@@ -15,7 +15,7 @@ from needs import VIEW_NEEDS
 
 class Views(unittest.TestCase):
     def test_films_lead_to_pages_of_the_viewer(self):
-        bound(type(self))
+        bound(self.addCleanup)
         if not VIEW_NEEDS[0].there():
             self.skipTest(f"no views: {VIEW_NEEDS[0].package} not installed")
         box = Sandbox(built=True)
@@ -34,7 +34,7 @@ class Views(unittest.TestCase):
 
 class Published(unittest.TestCase):
     def test_to_a_branch_that_holds_the_site_and_nothing_else(self):
-        box = bound(type(self))
+        box = bound(self.addCleanup)
         with tempfile.TemporaryDirectory() as remote:
             def git(*words: str) -> str:
                 done = subprocess.run(["git", "--git-dir", remote, *words], check=True, capture_output=True, text=True)

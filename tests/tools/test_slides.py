@@ -20,7 +20,7 @@ _PICTURE = re.compile(r"^!\[", re.MULTILINE)
 class Slides(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        bound(cls)  # skips them where the book cannot be made
+        bound(cls.addClassCleanup)  # skips them where the book cannot be made
         drafts = [read(page) for page in pages()]
         cls.decks = {chapter: slide_page(chapter, drafts) for chapter in read_chapters()}
 

@@ -20,7 +20,7 @@ SIZE = (1280, 720)
 class InBrowser(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        bound(cls)  # skips them where the book cannot be made
+        bound(cls.addClassCleanup)  # skips them where the book cannot be made
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.close)
         folder = tempfile.TemporaryDirectory(prefix="slides-")
