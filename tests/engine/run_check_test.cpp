@@ -154,6 +154,23 @@ TEST(RunCheck, AnImpactIsNotALoad) {
   EXPECT_EQ(judged(world, 400).note, "");
 }
 
+TEST(RunCheck, NotesAContactThatIsFoundTooLate) {
+  // A ball of 0.1 m comes at 40 m/s, 2/3 m in a step of 1/60 s, and is half of that deep when it is found. In a step of
+  // 1/1000 s it comes no deeper than 0.04 m.
+  const auto note = [](double z, double v, double step) {
+    World<6> world({});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, z), .v = Vec3(0, 0, v), .radius = 0.1});
+    return judged(world, 60, step).note;
+  };
+  const std::string late = note(0.1 + 2.5 * 40 / 60, -40, 1.0 / 60);
+  EXPECT_EQ(late.find("bodies 0 and 1 overlap by"), 0u) << late;
+  EXPECT_NE(late.find("a shorter step would find it earlier"), std::string::npos) << late;
+  EXPECT_EQ(note(0.1 + 2.5 * 40 / 60, -40, 1.0 / 1000), "");
+  EXPECT_EQ(note(0.02, 0, 1.0 / 60), "");  // an overlap from the start
+  EXPECT_EQ(note(0.6, 0, 1.0 / 60), "");   // a fall of half a metre
+}
+
 TEST(RunCheck, KeepsItsVerdictWhenBodiesAreMoved) {
   World<6> top({.gravity = Vec3::Zero(),
                 .rotation = {.update = RotationUpdate::first_order, .gyroscopic_torque = true}});

@@ -1,16 +1,17 @@
-"""A class of two hundred, drawn from right and broken answers: each mark, also after an interruption, in shards, and
+"""A class of 120, drawn from right and broken answers: each mark, also after an interruption, in shards, and
 again."""
 
 import random
 import resource
 import signal
 import subprocess
+import time
 import unittest
 
 from classroom import SECONDS_A_TEST, Classroom, Marks, beginning_with, right
 from sandbox import ROOT, all_exercises
 
-CLASS = 200
+CLASS = 120
 SEED = 20  # of the draw
 FUNCTIONS = [exercise.function for exercise in all_exercises() if exercise.chapter == 1]
 
@@ -98,7 +99,7 @@ class GradeClass(unittest.TestCase):
                    str(SECONDS_A_TEST), "--out", str(folder), "--seed", "5"]  # another seed: nothing is known yet
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
         while process.poll() is None and not list(folder.glob("submissions/*/report.md")):
-            pass
+            time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         _, said = process.communicate(timeout=120)
         self.assertNotIn(b"Traceback", said)
@@ -108,7 +109,7 @@ class GradeClass(unittest.TestCase):
         self.assertEqual([], list(folder.glob("submissions/*/*.part")))
 
     def test_it_needs_little_memory(self):
-        """The grader itself, for a class of two hundred; what it runs has limits of its own."""
+        """The grader itself, for a class of 120; what it runs has limits of its own."""
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024, 512 << 20)
 
     def assert_same(self, first: Marks, second: Marks):

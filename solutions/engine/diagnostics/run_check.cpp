@@ -18,6 +18,7 @@ static constexpr double share_gained = 0.1;       // of the energy in the scene
 static constexpr double share_of_size = 0.01;
 static constexpr double unseen = 1e-8;     // a motion in a step, of the largest size, or in radians
 static constexpr double share_kept = 0.9;  // of a sag from step to step
+static constexpr double found_late = 2;    // overlap of a new contact over a size, which is half a thickness
 static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
 
 std::string name_of(State state) {
@@ -107,6 +108,7 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
     sizes_.clear();
     for (const Shape& shape : shapes_) sizes_.push_back(size_of(shape));
   }
+  if (!goes_on || moved_) overlap_ = infinity;  // how bodies begin is not the step's doing
   if (goes_on) {
     look_at_solve(world, h / world.parts());
     look_at_gaps(world, h / world.parts());
@@ -159,12 +161,16 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   const double sagged_before = sagged_;
   sagged_ = 0;
   const bool soft = world.settings().soft_steps.has_value();
-  double deepest = 0, recovered = 0;
-  const Contact* deep = nullptr;
+  double deepest = 0, recovered = 0, overlap = 0;
+  const Contact *deep = nullptr, *late = nullptr;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
     const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
     const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
     const double lambda = world.lambda(c);
+    if (-contact.gap > overlap * size) {
+      overlap = -contact.gap / size;
+      late = &contact;
+    }
     if (soft) {
       if (lambda > 0) note_sag(pair_of(contact), -contact.gap, size, "more substeps");
     } else if (-contact.gap > share_of_size * size) {
@@ -180,6 +186,11 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     deepest = depth;
     recovered = 2 / (1 + 4 * touching.d);
   }
+  if (overlap > std::max(found_late, overlap_))
+    note(
+        pair_of(*late) + " overlap by " + text(-late->gap) +
+        " m when their contact is found, more than the thickness of one: a shorter step would find it earlier");
+  overlap_ = overlap;
   // An overlap that shrinks is on its way out.
   deep_steps_ = deep && deepest > (1 - recovered) * deepest_ ? deep_steps_ + 1 : 0;
   deepest_ = deepest;

@@ -16,6 +16,7 @@
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
 //                  is too small for this load
 //                - a body moves through another, or into it, by more than the sizes of both in one step: passage.hpp
+//                - bodies overlap by more than the thickness of one when their contact is found, and did not before
 //                - joints took out as much energy as would be too much to add, and nothing else could
 //                - nothing can move
 //
@@ -72,8 +73,8 @@ class RunCheck {
 
   void state(StateStream& s) {
     s(verdict_.state, verdict_.step, verdict_.time, verdict_.reason, verdict_.unsolved, verdict_.note);
-    s(last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, sagging_steps_, sag_,
-      sagged_);
+    s(last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_, sagging_steps_,
+      sag_, sagged_);
     s(started_, given_, springs_, most_, before_, x_before_, ways_);
   }
 
@@ -96,6 +97,7 @@ class RunCheck {
   bool may_dissipate_ = false;      // so far something else than joints could take energy
   int deep_steps_ = 0;              // consecutive steps with too deep contacts that do not recover
   double deepest_ = 0;              // the largest overlap over its size in the last step
+  double overlap_ = infinity;       // the largest overlap of a contact over a size in the last step
   int sagging_steps_ = 0;           // consecutive steps with too much sag
   std::string sag_;                 // the sagging spring of the last step; empty if none
   double sagged_ = 0;               // its sag over its size
