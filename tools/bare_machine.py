@@ -35,7 +35,7 @@ CONTAINER = ROOT / ".devcontainer" / "devcontainer.json"
 COMMANDS = {"start": "./course start", "test": "./course test --yes", "all": "./course test --all --yes"}
 # Mounts that nobody else sees, and that are gone with the last process. The machine's folder becomes the root, and not
 # by chroot, in which the kernel refuses namespaces to those who would isolate submissions.
-ENTER = """mount --make-rprivate / && mount --bind "$0" "$0" && mount --bind /dev "$0/dev" &&
+ENTER = """mount --make-rprivate / && mount --bind "$0" "$0" && mount --rbind /dev "$0/dev" &&
 mount -t proc proc "$0/proc" && mount -t tmpfs tmpfs "$0/tmp" && cd "$0" && pivot_root . . && umount -l . &&
 exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb $2 sh -c "cd /course && $1" """
 
