@@ -109,6 +109,13 @@ class Delivered(Finds):
             self.assertIn("cannot be read", submissions["Gus"].notes[0])
             self.assertIn("taken for kick", submissions["Di"].notes[0])
 
+    def test_a_name_that_is_too_long_once_its_bytes_are_replaced(self):
+        folder = self.put({f"bo/{WHERE}": KICK})
+        with open(os.path.join(os.fsencode(folder), b"bo", b"\xff" * 251 + b".cpp"), "wb") as file:
+            file.write(b"x")
+        submissions, _ = self.found(folder / "bo")
+        self.assert_kicks(submissions, "bo")
+
     def test_canvas(self):
         submissions, left = self.found(self.put({
             "leeann_12_55_kick.cpp": KICK, "leeann_12_56_drift-2.cpp": b"d",
