@@ -301,16 +301,19 @@ class OneRow(unittest.TestCase):
 class Best(unittest.TestCase):
     """Of several attempts the one with most points counts, of equal ones the last; all of them cost time."""
 
-    def judged(self, *of_attempts: list[str]) -> tuple[Submission, list[str], float]:
+    def judged(self, *of_attempts: list[str], limit: float = 120) -> tuple[Submission, list[str], float]:
         exercise = next(iter(all_exercises()))
         sources = [Source(f"{k}.cpp", b"") for k in range(len(of_attempts))]
         submission = Submission("ann", Student("ann"), {"kick": sources[0]}, attempts={"kick": sources})
         verdicts = {source: ExerciseVerdict([TestVerdict(str(k), verdict) for k, verdict in enumerate(some)], [], 1.0)
                     for source, some in zip(sources, of_attempts)}
         grader = Grades()
-        grader._judge = SimpleNamespace(judge=lambda exercise, source, user: verdicts[source], lost=lambda _, one: one.used)
+        grader._of_submission = limit
+        grader._judge = SimpleNamespace(
+            judge=lambda exercise, source, user: verdicts[source], lost=lambda _, one: one.used,
+            without_time=lambda exercise: ExerciseVerdict([TestVerdict("0", TIMED_OUT, "not run")], []))
         grader._weights = SimpleNamespace(of=lambda test: SimpleNamespace(points=int(test)))
-        verdict, seconds = grader._best_judged(submission, exercise, None)
+        verdict, seconds = grader._best_judged(submission, exercise, None, 0.0)
         return submission, [test.verdict for test in verdict.tests], seconds
 
     def test_the_best_counts(self):
@@ -323,6 +326,13 @@ class Best(unittest.TestCase):
             self.assertEqual(submission.sources["kick"].path, f"{best}.cpp")
             self.assertEqual(submission.notes, [f"taken for kick: {best}.cpp, the best of {len(of_attempts)} attempts"])
             self.assertEqual(seconds, len(of_attempts))
+
+    def test_attempts_beyond_the_submissions_time_are_not_run(self):
+        failed, passed = [TIMED_OUT], [PASSED]
+        submission, verdicts, seconds = self.judged(*[failed] * 5, passed, limit=3)
+        self.assertEqual((verdicts, seconds), (failed, 3))
+        submission, verdicts, seconds = self.judged(failed, passed, *[failed] * 5, limit=3)
+        self.assertEqual((verdicts, seconds), (passed, 3))
 
 
 class Status(unittest.TestCase):

@@ -103,8 +103,7 @@ class Grader:
                 if on_exercise:
                     on_exercise(self._result(submission, judged), len(self.exercises) - count)
                 if lost < self._of_submission or exercise.function not in submission.sources:
-                    judged[exercise], seconds = self._best_judged(submission, exercise, user)
-                    lost += seconds
+                    judged[exercise], lost = self._best_judged(submission, exercise, user, lost)
                 else:
                     judged[exercise] = self._judge.without_time(exercise)
         finally:
@@ -126,18 +125,25 @@ class Grader:
             self.failures.append(f"{one_line(handed.name)}: its results cannot be written: {failed}")
         return result
 
-    def _best_judged(self, submission: Submission, exercise: Exercise, user: User) -> tuple[ExerciseVerdict, float]:
-        """Judges one exercise, and where the best attempt counts, each of them. Returns the verdict that counts, and the
-        seconds lost with all of them."""
+    def _best_judged(self, submission: Submission, exercise: Exercise, user: User,
+                     lost: float) -> tuple[ExerciseVerdict, float]:
+        """Judges one exercise, and where the best attempt counts, each of them, from the last to the first, while the
+        submission has time. Returns the verdict that counts, and the seconds `lost` so far with those of all attempts."""
         function = exercise.function
         sources = submission.attempts.get(function, [submission.sources.get(function)])
-        verdicts = [self._judged(submission, exercise, source, user) for source in sources]
+        verdicts = []
+        for source in sources:
+            if verdicts and lost >= self._of_submission:
+                verdicts.append(self._judge.without_time(exercise))
+                continue
+            verdicts.append(self._judged(submission, exercise, source, user))
+            lost += self._judge.lost(exercise, verdicts[-1])
         best = max(range(len(sources)), key=lambda k: self._worth(verdicts[k]))  # of equal ones the last attempt
         if len(sources) > 1:
             submission.sources[function] = sources[best]
             submission.notes.append(f"taken for {function}: {unseen_shown(sources[best].path)}, the best of "
                                     f"{len(sources)} attempts")
-        return verdicts[best], sum(self._judge.lost(exercise, verdict) for verdict in verdicts)
+        return verdicts[best], lost
 
     def _worth(self, verdict: ExerciseVerdict) -> tuple[bool, float]:
         passed = [test.test for test in verdict.tests if test.verdict == PASSED]
