@@ -205,6 +205,31 @@ TEST(Capsule, OverhangingATableStaysAndTips) {
   }
 }
 
+TEST(Capsule, PartsAcrossTheAxesOfTwoInOnePlace) {
+  // Along an axis they would have to move by a length, and not by two radii.
+  const double radius = 0.2;
+  testing::Random random;
+  for (const double angle : {0.0, 1e-12, 0.3, pi / 2}) {
+    World<6> world({.gravity = Vec3::Zero()});
+    const Quat q = random.rotation();
+    const Vec3 x = random.vector(10);
+    for (const double turn : {0.0, angle})
+      world.add({.x = x,
+                 .mass = 1,
+                 .radius = radius,
+                 .q = q * Quat(Eigen::AngleAxisd(turn, Vec3::UnitX())),
+                 .half_length = 0.3});
+    for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
+    const Vec3 apart = world.x(1) - world.x(0);
+    const std::string where =
+        "axes at " + std::to_string(angle) + " rad, seed " + std::to_string(random.seed());
+    EXPECT_NEAR(apart.norm(), 2 * radius, 1e-3 * radius) << where;
+    for (const int body : {0, 1})
+      EXPECT_NEAR(apart.dot(world.bodies().orientations.q[world.index(body)] * Vec3::UnitZ()), 0, 1e-6 * radius)
+          << where;
+  }
+}
+
 TEST(Capsule, KeepsMomentaWhenTwoCollide) {
   const double h = 1.0 / 500;
   testing::Random random;

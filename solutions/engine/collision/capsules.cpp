@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "05_friction_box/friction_box.hpp"
+
 namespace spook {
 
 namespace {
@@ -14,6 +16,8 @@ constexpr int halvings = 52;
 constexpr double apart = 1e-3;
 /// Gaps with a smaller relative difference than this are equal.
 constexpr double roundings_of_gaps = 1e-9;
+/// Points closer than this fraction of the radii have no direction from one to the other.
+constexpr double in_one_place = 1e-9;
 /// A point within this fraction of the smallest half side is beside a face, as in box_box.
 constexpr double millionth = 1e-6;
 
@@ -74,6 +78,25 @@ std::optional<Contact> on_capsule(std::optional<Contact> contact, const PlacedCa
   return contact;
 }
 
+/// Returns a unit normal across both axes. Along it two capsules whose segments meet are least deep.
+Vec3 across(const PlacedCapsule& i, const PlacedCapsule& j) {
+  const Vec3 n = i.axis.cross(j.axis);
+  const double sine = n.norm();
+  return sine > in_one_place ? Vec3(n / sine) : tangents(i.axis).t1;
+}
+
+/// Returns the contact of two balls of capsules, with its lever arms measured from the centres of the balls.
+std::optional<Contact> between_balls(const PlacedCapsule& i, double s, const PlacedCapsule& j, double t) {
+  const Ball ball_i = i.ball(s), ball_j = j.ball(t);
+  std::optional<Contact> contact = ball_ball(ball_i, ball_j);
+  const Vec3 from_i = ball_j.x - ball_i.x;
+  if (!contact || from_i.norm() > in_one_place * (i.radius + j.radius)) return contact;
+  contact->n = across(i, j);
+  contact->r_i = (i.radius + contact->gap / 2) * contact->n;  // Eq. (8.3)
+  contact->r_j = contact->r_i - from_i;
+  return contact;
+}
+
 /// Returns the gradient of the signed distance from a box, at a point in the box's axes; of any length.
 Vec3 outwards(const Box& box, const Vec3& point) {
   const Vec3& h = box.half_sides;
@@ -112,7 +135,7 @@ void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector
   along.clip(i.axis.dot(j.x - i.x), j.half_length * i.axis.dot(j.axis), i.half_length);
   const auto contact_at = [&](double t) {
     const double s = nearest_on_i(t);
-    std::optional<Contact> contact = on_capsule(ball_ball(i.ball(s), j.ball(t)), j, t);
+    std::optional<Contact> contact = on_capsule(between_balls(i, s, j, t), j, t);
     if (contact) contact->r_i += s * i.half_length * i.axis;
     return contact;
   };
