@@ -70,9 +70,9 @@ TEST(ConeSweeps, StartFromAnyImpulsesWithinTheirBounds) {
     std::vector<Twist<6>> V = s.V;
     ConeSweeps<6> sweeps(s.constraints.friction, rows, V, s.bodies.motion.inverse_mass);
     for (int n = 0; n < 5; ++n) sweeps.sweep();
-    const Eigen::VectorXd before = sweeps.impulses();
+    const Eigen::VectorXd before = sweeps.scaled_impulses();
     sweeps.start_from(before);
-    EXPECT_LE((sweeps.impulses() - before).norm(), 1e-14 * before.norm())
+    EXPECT_LE((sweeps.scaled_impulses() - before).norm(), 1e-14 * before.norm())
         << "λ of a sweep is within its bounds";
 
     sweeps.start_from(Eigen::VectorXd::Constant(before.size(), -3) + 20 * before);

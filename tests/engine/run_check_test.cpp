@@ -226,7 +226,7 @@ TEST(RunCheck, APushIsNotFromNothing) {
   EXPECT_EQ(soundness.verdict().state, State::sound);
 }
 
-TEST(RunCheck, NotesAPassageInAStepThatItWasToldOf) {
+TEST(RunCheck, NotesTunnellingInAStepThatItWasToldOf) {
   for (const bool is_told : {true, false}) {
     World<6> world({.gravity = Vec3::Zero()});
     world.add_fixed_box(Vec3(1, 0, 0), Vec3(0.05, 1, 1));

@@ -13,7 +13,8 @@
 
 namespace spook {
 
-/// The contact parameters of a body or of a pair of bodies. Default for a missing number: the world's settings.
+/// The contact parameters of a body or of a pair of bodies. A missing number of a body is that of the world's settings;
+/// of a pair, that of the materials of its two bodies.
 struct Material {
   bool operator==(const Material&) const = default;
 
@@ -53,7 +54,7 @@ class Materials {
   /// Tells whether any material was set.
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }
 
-  /// Tells whether any pair may have friction, or restitution.
+  /// Tell whether any coefficient of friction is positive, and whether any material has a restitution.
   bool rub() const { return rub_; }
   bool bounce() const { return bounce_; }
 

@@ -34,13 +34,14 @@ struct PointSet {
 
 using Shape = std::variant<NoShape, Sphere, Capsule, Cuboid, PointSet>;
 
-/// Calls the handler that takes the type which `shape` holds.
+/// The handlers as one function with several overloads.
 template <class... Handlers>
 struct Handling : Handlers... {
   using Handlers::operator()...;
 };
 template <class... Handlers>
 Handling(Handlers...) -> Handling<Handlers...>;
+/// Calls the handler for the type that `shape` holds.
 template <class Variant, class... Handlers>
 decltype(auto) match(Variant&& shape, Handlers&&... handlers) {
   return std::visit(Handling{std::forward<Handlers>(handlers)...}, std::forward<Variant>(shape));

@@ -191,7 +191,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     for (std::size_t s = 0; s < shapes.solids.size(); ++s) {
       ++pairs;
       const Solid& solid = shapes.solids[s];
-      if (solid.is_static || shapes.exclusions.exclude(plane.body, solid.body)) continue;
+      if (solid.is_static || shapes.exclusions.excludes(plane.body, solid.body)) continue;
       touch(plane, placed_[s], contacts);
     }
   }
@@ -217,7 +217,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
                    b = static_cast<std::size_t>(near[first].second);
         const Solid &one = shapes.solids[a], &other = shapes.solids[b];
         if (one.is_static && other.is_static) continue;
-        if (shapes.exclusions.exclude(one.body, other.body)) continue;
+        if (shapes.exclusions.excludes(one.body, other.body)) continue;
         if (!has_moved(one) && !has_moved(other)) {
           if (!of_these) of_these = former.from({one.body, other.body});
           of_these->add_those_of({one.body, other.body}, found);
@@ -245,7 +245,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     for (const Plane& plane : shapes.planes)
       for (const Corners& corners : shapes.corners) {
         ++pairs;
-        if (!shapes.exclusions.exclude(plane.body, corners.body))
+        if (!shapes.exclusions.excludes(plane.body, corners.body))
           touch(plane, corners, bodies, margin, contacts);
       }
   return pairs;

@@ -12,7 +12,7 @@ class Exclusions {
   void add(const std::vector<int>& bodies) { lists_.push_back(bodies), arrange(); }
 
   /// Tells whether a list has both bodies.
-  bool exclude(int i, int j) const {
+  bool excludes(int i, int j) const {
     if (std::max(i, j) >= static_cast<int>(lists_of_.size())) return false;
     const std::vector<std::size_t>& of_i = lists_of_[static_cast<std::size_t>(i)];
     const std::vector<std::size_t>& of_j = lists_of_[static_cast<std::size_t>(j)];

@@ -11,7 +11,7 @@ namespace {
 constexpr double room = 0.1;             // on each side, relative to the widest of the bounds
 constexpr std::size_t few_bodies = 100;  // comparing these with all others costs no more than a broad phase
 
-Bounds roomier(const Bounds& one) {
+Bounds enlarged_bounds(const Bounds& one) {
   const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
   return {.lower = one.lower - more, .upper = one.upper + more};
 }
@@ -21,10 +21,10 @@ bool is_within(const Bounds& one, const Bounds& other) {
 }
 
 /// Returns the bodies that have left their enlarged bounds; all bodies if their number has changed.
-std::vector<int> that_left(const std::vector<Bounds>& bounds, const std::vector<Bounds>& roomy) {
+std::vector<int> that_left(const std::vector<Bounds>& bounds, const std::vector<Bounds>& enlarged) {
   std::vector<int> gone;
   for (int k = 0; k < std::ssize(bounds); ++k)
-    if (bounds.size() != roomy.size() || !is_within(bounds[k], roomy[k])) gone.push_back(k);
+    if (bounds.size() != enlarged.size() || !is_within(bounds[k], enlarged[k])) gone.push_back(k);
   return gone;
 }
 
@@ -40,37 +40,37 @@ std::vector<Pair> broad_phase(const std::vector<Bounds>& bounds) {
 
 }  // namespace
 
-void PairCache::give_all_room(const std::vector<Bounds>& bounds) {
-  std::vector<Bounds> roomy;
-  roomy.reserve(bounds.size());
-  for (const Bounds& one : bounds) roomy.push_back(roomier(one));
-  near_ = broad_phase(roomy);
-  roomy_ = std::move(roomy);
+void PairCache::enlarge_all(const std::vector<Bounds>& bounds) {
+  std::vector<Bounds> enlarged;
+  enlarged.reserve(bounds.size());
+  for (const Bounds& one : bounds) enlarged.push_back(enlarged_bounds(one));
+  near_ = broad_phase(enlarged);
+  enlarged_ = std::move(enlarged);
 }
 
-void PairCache::give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds) {
+void PairCache::enlarge(const std::vector<int>& these, const std::vector<Bounds>& bounds) {
   std::vector<bool> is_new(bounds.size(), false);
   for (const int a : these) {
     is_new[a] = true;
-    roomy_[a] = roomier(bounds[a]);
+    enlarged_[a] = enlarged_bounds(bounds[a]);
   }
   std::erase_if(near_, [&](const Pair& pair) { return is_new[pair.first] || is_new[pair.second]; });
   const auto kept = std::ssize(near_);
   for (const int a : these)
-    for (int b = 0; b < std::ssize(roomy_); ++b)
-      if (touch(roomy_[a], roomy_[b]) && (is_new[b] ? a < b : a != b)) near_.push_back(std::minmax(a, b));
+    for (int b = 0; b < std::ssize(enlarged_); ++b)
+      if (touch(enlarged_[a], enlarged_[b]) && (is_new[b] ? a < b : a != b)) near_.push_back(std::minmax(a, b));
   std::sort(near_.begin() + kept, near_.end());
   std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end());
 }
 
 const std::vector<Pair>& PairCache::touching(const std::vector<Bounds>& bounds) {
-  const std::vector<int> gone = that_left(bounds, roomy_);
+  const std::vector<int> gone = that_left(bounds, enlarged_);
   if (!gone.empty()) {
     require_sound(bounds);
-    if (roomy_.size() == bounds.size() && gone.size() <= few_bodies)
-      give_room(gone, bounds);
+    if (enlarged_.size() == bounds.size() && gone.size() <= few_bodies)
+      enlarge(gone, bounds);
     else
-      give_all_room(bounds);
+      enlarge_all(bounds);
   }
   touching_.clear();
   for (const Pair& pair : near_)

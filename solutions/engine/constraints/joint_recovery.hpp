@@ -1,10 +1,10 @@
 #pragma once
-// Joints that recover: those which have pushed their bodies together, and must not leave them a speed.
+// Joints that recover: they correct their positions in this step, which must leave the bodies no speed.
 //
-// A joint beyond its limit moves back, and a rope that is too long shortens. Rows that hold a joint do no work, since its
-// points do not move apart. If a step is long beside what happens in it, as when a chain snaps taut, they do: they close
-// the gap that the step has left, with a speed. The work of a row λ in a step, with its rates u₀ = G W before and
-// u₁ = G (W + W_f + V) after it, is
+// A joint beyond its limit moves back, and a rope that is too long shortens. Rows that hold a joint should do no work,
+// since its points do not move apart. If a step is too long, as when a chain snaps taut, they do work: they close the
+// gap that the step has left, at a speed. The work of a row λ in a step, with its rates u₀ = G W before and u₁ = G (W +
+// W_f + V) after it, is
 //
 //   λ (u₀ + u₁)/2  [J]                                                                                    Eq. (13.19)
 //
@@ -27,19 +27,20 @@ struct JointRecovery {
   std::vector<std::size_t> holding = {};  ///< rows that hold joints, and have done work
 };
 
-/// Returns the rows of limits and ropes without a k of their own. A step in which one opens by less than 1e-9 of its
-/// range, or than 1e-9 rad, does not count. A taut rope that swings at a speed v leaves its circle by v² h²/(2 l) in
-/// each step, and opens at v² h/(2 l) to come back to it: that is no recovery. Where it turns, v is 0, and what it opens
-/// from the steps before is less than a hundredth of |gravity| h. `first_rows`: the first row of each joint.
+/// Returns the rows of limits and ropes without a k of their own. A row that opens in a step by less than 1e-9 of its
+/// range, or by less than 1e-9 rad, does not recover. A taut rope that swings at a speed v leaves its circle by v²
+/// h²/(2 l) in each step, and opens at v² h/(2 l) to come back to it: that is no recovery. At the turning point of the
+/// swing v is 0. There the rope still opens at less than |gravity| h/100, which is ignored, too. `first_rows`: the
+/// first row of each joint.
 template <int Dof>
 std::vector<RigidLimit> rigid_limits(const std::vector<Joint>& joints,
                                      const std::vector<std::size_t>& first_rows, const Bodies<Dof>& bodies,
                                      const Vec3& gravity, double h);
 
 /// Returns the rows that hold joints without a k of their own, of each mechanism in which their work is more than a
-/// hundredth of three kinetic energies: before the step, after it, and that which forces alone would give it at rest.
-/// Leaves out a mechanism with a gap of more than a twentieth of an arm, or rad. No step has left such a gap: a joint did
-/// not fit its bodies, and is pulled together. `rows` are solved, and `V` is their change of velocities.
+/// hundredth of each of three kinetic energies: before the step, after it, and by forces alone from rest. Leaves out a
+/// mechanism with a gap of more than a twentieth of an arm, or 0.05 rad: such a gap is not left by a step, but comes
+/// from a joint that did not fit its bodies. `rows` are solved, and `V` is their change of velocities.
 template <int Dof>
 std::vector<std::size_t> holding_rows_with_work(const std::vector<Joint>& joints,
                                                 const std::vector<std::size_t>& first_rows,

@@ -45,7 +45,7 @@ struct Joint {
   std::optional<double> d = {};       ///< relaxation [steps]. Default: the world's
 
   JointKind kind = JointKind::ball;  ///< may be omitted for a distance, which has a length
-  // The members below are for hinges, sliders and welds.
+  // The members below are for hinges, sliders and welds; limit_d is for ropes, too.
   Vec3 axis = Vec3::UnitZ();  ///< unit vector along the hinge or slider, in i's axes
   /// Orientation of j in i, q_i* q_j, at which the angle is 0. Default: the orientation when the joint is added.
   std::optional<Quat> rest = {};

@@ -27,7 +27,7 @@ static void set(Row<Dof>& row, double S, double B, double Sigma) {
 
 template <int Dof>
 void make_soft(const SoftGap& at, const SoftSpring& spring, double closing_speed, double h, Row<Dof>& row) {
-  if (at.kind == SoftKind::keeps) return;
+  if (at.kind == SoftKind::unchanged) return;
   if (at.kind == SoftKind::limits && at.gap > 0) return set(row, at.S, -at.gap / h, 0);
   const double speed = -spring.closed_part() / h * at.gap;
   set(row, at.S, at.kind == SoftKind::limits ? std::min(speed, closing_speed) : speed,
@@ -36,7 +36,7 @@ void make_soft(const SoftGap& at, const SoftSpring& spring, double closing_speed
 
 template <int Dof>
 void make_rigid(const SoftGap& at, double h, Row<Dof>& row) {
-  if (at.kind == SoftKind::keeps) return;
+  if (at.kind == SoftKind::unchanged) return;
   set(row, at.S, at.kind == SoftKind::limits ? -std::max(0.0, at.gap) / h : 0, 0);
 }
 
@@ -47,7 +47,7 @@ void soften_joint(const Joint& joint, double h, Row<Dof>* rows, SoftGap* gaps) {
   for (int k = 0; k < holding; ++k) {
     const double S = rigid_diagonal(rows[k]), gap = -rows[k].B / built;
     const double a = 1 / (h * (1 + *joint.d));
-    gaps[k] = {.kind = joint.has_default_k ? SoftKind::holds : SoftKind::keeps, .gap = gap, .S = S};
+    gaps[k] = {.kind = joint.has_default_k ? SoftKind::holds : SoftKind::unchanged, .gap = gap, .S = S};
     if (!joint.has_default_k) set(rows[k], S, -a * gap, a / (h * joint.stiffness(k)));
   }
   if (!joint.limits) return;

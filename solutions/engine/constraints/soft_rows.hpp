@@ -2,7 +2,7 @@
 // Rows of soft steps: a spring and a damper for each row, by a frequency and a damping ratio, Eq. (10.16)-(10.18).
 //
 //   velocities V of a sweep are the bodies' own, forces included: V = W + W_f + M⁻¹ Gᵀ λ, so B has no G W
-//   soft        a closed gap     B = -a g, at most the closing speed; Σ = S/(h ω (2ζ + h ω))
+//   soft        a closed gap     B = -a g, Σ = S/(h ω (2ζ + h ω)); for a limit B is at most the closing speed
 //   relaxed     the same gap     B = 0,  Σ = 0                                              Eq. (10.15)
 //   both        an open gap      B = -g/h,  Σ = 0: closes it in a substep at most           Eq. (13.11)
 //               others           as they were built: motors, joints with a k of their own
@@ -41,14 +41,14 @@ void require_sound(const SoftSteps& soft);
 
 /// The target of a row in soft steps.
 enum class SoftKind {
-  keeps,   ///< nothing: a motor, a joint with a k of its own
-  holds,   ///< a joint: holds it at zero
-  limits,  ///< a limit: stops it at zero
+  unchanged,  ///< the row stays as it was built: a motor, or a joint with a k of its own
+  holds,      ///< a joint: holds it at zero
+  limits,     ///< a limit: stops it at zero
 };
 
 /// The gap that a joint's row of soft steps follows.
 struct SoftGap {
-  SoftKind kind = SoftKind::keeps;
+  SoftKind kind = SoftKind::unchanged;
   double gap = 0;  ///< [m or rad]
   double S = 0;    ///< S_kk without Σ [1/kg]
 };

@@ -13,7 +13,8 @@ namespace spook {
 using TouchingPair = std::pair<int, int>;
 
 /// Bodies touch in a step if one of their contacts has a gap of at most 0 or an impulse, or if they collided. So a
-/// bounce begins in its step, and ends in the next step.
+/// bounce begins in its step, and ends in the next step. If the engine divides a step, World::parts(), the contacts are
+/// those of its last part.
 class ContactEvents {
  public:
   /// Compares the world's last step with the one that was looked at before. Call it after each step.

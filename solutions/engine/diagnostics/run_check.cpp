@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "engine/bodies/conserved_quantities.hpp"
-#include "engine/diagnostics/passage.hpp"
+#include "engine/diagnostics/tunnelling.hpp"
 
 namespace spook {
 
@@ -145,7 +145,7 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
   if (world.settings().stepper)
     for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
-  // Soft steps do not sweep until a rate can be seen: each sweep begins where the last one ended.
+  // Soft steps do not sweep until a rate can be detected_within: each sweep begins where the last one ended.
   const bool soft = world.settings().soft_steps.has_value();
   const double left = soft ? residual : estimated_error(residual, world.solved().history);
   if (left <= share_unsolved * asked) return;
@@ -210,11 +210,11 @@ void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
   bool moves = world.has_kinematic_bodies();
   for (std::size_t i = 0; i < bodies.size() && !moves; ++i) moves = !bodies.is_fixed(i);
   if (!moves) return note("nothing can move: the world has no dynamic body");
-  if (const auto passage = find_passage(world, x_before_, shapes_, sizes_))
-    note("body " + std::to_string(passage->body) + " moves by " + text(passage->way) +
-         " m in a step, against body " + std::to_string(passage->other) + ", and contacts are found within " +
-         text(passage->seen) + " m: steps shorter than " + text(passage->longest_step) +
-         " of this one would find the contact");
+  if (const auto tunnelling = find_tunnelling(world, x_before_, shapes_, sizes_))
+    note("body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
+         " m in a step, against body " + std::to_string(tunnelling->other) +
+         ", and contacts are found within " + text(tunnelling->detected_within) + " m: steps shorter than " +
+         text(tunnelling->longest_step) + " of this one would find the contact");
 }
 
 template <int Dof>

@@ -8,16 +8,16 @@
 //                - the gap of a joint exceeds the joint's size, in addition to the spring's sag under its load
 //                - contacts are too deep in ten steps in a row, and recover at less than half of SPOOK's rate; a thin,
 //                  fast body may be deep for a moment
-//                - constraints, or the steps themselves, added energy: more than a tenth of the largest kinetic energy
-//                  so far, of the energy that lifts every body by its size, and of the energy of a motion by 1e-8 of the
+//                - constraints, or the steps themselves, added energy: more than a tenth of the largest of three, the
+//                  kinetic energy so far, the forces times the largest size, and the energy of a motion by 1e-8 of the
 //                  largest size and 1e-8 rad in a step, which is too slow to be seen
 //                - bodies without constraints lost as much
 //   a note     the first of these:
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
 //                  is too small for this load
-//                - a body moves through another, or into it, by more than the sizes of both in one step: passage.hpp
+//                - a body moves through another, or into it, by more than the sizes of both in one step: tunnelling.hpp
 //                - bodies overlap by more than the thickness of one when their contact is found, and did not before
-//                - joints took out as much energy as would be too much to add, and nothing else could
+//                - joints removed more energy than may be added, and nothing else in the world removes energy
 //                - nothing can move
 //
 //   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
@@ -55,7 +55,7 @@ template <int Dof>
 class RunCheck {
  public:
   /// Notes where bodies are before a step, if no earlier check has: before the first step, and after bodies were moved.
-  /// Then a passage in that step is found, too. May be left out.
+  /// Then a tunnelling in that step is found, too. May be left out.
   void begin_step(const World<Dof>& world);
 
   /// Checks the step of `h` [s] that the world has just taken. Call it once after each step. The energy balance starts

@@ -18,8 +18,8 @@
 //           once. A correction reduces the gaps about by the factor h ω, with the angular velocity ω. If a correction
 //           does not halve the gaps, as near a bifurcation of a mechanism, the next corrections use G₁ M⁻¹ Gᵀ, with G₁
 //           after the drift; that matrix is dense and slow, but seldom needed
-//   Σ       1e-12 of the diagonal, so that redundant rows share their load. Its effect on convergence is as small, and
-//           the gaps are 0 up to round-off with any Σ
+//   Σ       1e-12 of the diagonal, so that redundant rows share their load. It slows convergence by as little, and the
+//           gaps are 0 up to round-off with any Σ
 #include <array>
 #include <cmath>
 #include <vector>

@@ -27,7 +27,7 @@ class VelocityFactors {
     return right;
   }
 
-  /// Returns the number of symbolic analyses. Always 0 for small systems.
+  /// Returns the number of symbolic analyses so far. Small systems add none.
   int analyses() const { return sparse_.analyses; }
 
  private:

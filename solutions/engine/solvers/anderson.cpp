@@ -69,7 +69,7 @@ template <int Dof>
 SolveReport accelerated(ConeSweeps<Dof>& sweeps, const StopRule& stop) {
   constexpr int longest_pause = 8;
   SolveReport report;
-  Impulses x = sweeps.impulses(), before, best;
+  Impulses x = sweeps.scaled_impulses(), before, best;
   Memory memory(x.size());
   double least = infinity, changed_before = infinity;
   bool mixed = false;
@@ -78,7 +78,7 @@ SolveReport accelerated(ConeSweeps<Dof>& sweeps, const StopRule& stop) {
     report.history.push_back(sweeps.sweep());
     report.converged = report.history.back() <= stop.tolerance;
     if (report.converged) break;
-    const Impulses T = sweeps.impulses(), f = T - x;
+    const Impulses T = sweeps.scaled_impulses(), f = T - x;
     const double changed = f.norm();
     if (mixed && !(changed <= 2 * least)) {
       x = before;
@@ -105,7 +105,7 @@ SolveReport accelerated(ConeSweeps<Dof>& sweeps, const StopRule& stop) {
     const Impulses next = memory.mixed();
     if (!next.allFinite()) continue;
     sweeps.start_from(next);
-    x = sweeps.impulses();
+    x = sweeps.scaled_impulses();
     mixed = true;
   }
   return report;

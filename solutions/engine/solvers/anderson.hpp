@@ -11,9 +11,9 @@ SolveReport anderson_solve(const std::vector<FrictionContact>& friction, std::ve
                            std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass,
                            const StopRule& stop);
 
-/// Estimates the error that accelerated sweeps have left [m/s]. Their residuals do not fall at a steady rate, so compares
-/// the least in the second and in the last quarter of the history. Assumes 2 per cent a sweep for fewer than 8 sweeps.
-/// The history must not be empty.
+/// Estimates the error that accelerated sweeps have left [m/s]. Their residuals do not fall at a steady rate. So the
+/// rate follows from the least residuals in the second and in the last quarter of the history. With fewer than 8 sweeps
+/// it is taken as 2 per cent a sweep. The history must not be empty.
 double error_of_accelerated(const std::vector<double>& history);
 
 }  // namespace spook

@@ -35,7 +35,7 @@ class InteriorPoint {
     double least = infinity, next_try = 1e-3;
     std::vector<double> best = problem_.impulses();
     for (int n = 0, short_steps = 0, waited = 0; n < most && short_steps < most_short_steps; ++n) {
-      const double part = step(std::isfinite(least) ? least / problem_.asked() : 1);
+      const double part = step(std::isfinite(least) ? least / problem_.rhs_norm() : 1);
       if (part < 0) break;
       const std::vector<double> inside = problem_.impulses();
       problem_.set_impulses(answer());
@@ -48,10 +48,10 @@ class InteriorPoint {
         least = left;
         best = problem_.impulses();
       }
-      if (least <= next_try * problem_.asked()) {
+      if (least <= next_try * problem_.rhs_norm()) {
         if (problem_.is_solved(least, tolerance) || cone_newton(problem_, tolerance, newton_steps, history))
           return true;
-        while (least <= next_try * problem_.asked()) next_try *= 1e-3;
+        while (least <= next_try * problem_.rhs_norm()) next_try *= 1e-3;
       }
       if (least <= enough) break;
       if (waited > most_waits && lagged_) {
@@ -96,7 +96,7 @@ class InteriorPoint {
 
   /// Returns a product relative to the target residual.
   double weight(std::size_t b) const {
-    return normal(block(b)).diagonal / (problem_.asked() * problem_.asked());
+    return normal(block(b)).diagonal / (problem_.rhs_norm() * problem_.rhs_norm());
   }
 
   /// Starts well inside the bounds, with multipliers as large as the right-hand side.
@@ -105,7 +105,7 @@ class InteriorPoint {
     for (std::size_t b = 0; b < size(); ++b) {
       const Row<Dof>& row = normal(block(b));
       double& of = lambda[block(b).row];
-      const double scale = problem_.asked() / row.diagonal, tenth = 0.1 * (row.hi - row.lo);
+      const double scale = problem_.rhs_norm() / row.diagonal, tenth = 0.1 * (row.hi - row.lo);
       if (block(b).count == 3) lambda[block(b).row + 1] = lambda[block(b).row + 2] = 0;
       if (has_lo(block(b)) && has_hi(block(b)))
         of = std::clamp(of, row.lo + tenth, row.hi - tenth);
@@ -119,9 +119,9 @@ class InteriorPoint {
     for (std::size_t b = 0; b < size(); ++b) {
       last_.push_back(normal(block(b)).lambda);
       const double r = problem_.row_residual(block(b).row);
-      if (has_lo(block(b))) push_[b].lo = std::max(problem_.asked(), -r);
-      if (has_hi(block(b))) push_[b].hi = std::max(problem_.asked(), r);
-      if (rubs(block(b))) push_[b].slip = problem_.asked();
+      if (has_lo(block(b))) push_[b].lo = std::max(problem_.rhs_norm(), -r);
+      if (has_hi(block(b))) push_[b].hi = std::max(problem_.rhs_norm(), r);
+      if (rubs(block(b))) push_[b].slip = problem_.rhs_norm();
     }
   }
 

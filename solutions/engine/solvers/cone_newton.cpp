@@ -66,10 +66,10 @@ bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vec
   constexpr double accurate = 1e-8, near = 1e-3, share_of_light = 1e-2, least_softer = 1e-5, most_softer = 1e-2;
   double least = problem.residual(), softer = 0;
   std::vector<double> step, best = problem.impulses();
-  const auto may_fail = [&] { return least <= accurate * problem.asked() ? 1 : most_in_vain; };
+  const auto may_fail = [&] { return least <= accurate * problem.rhs_norm() ? 1 : most_in_vain; };
   for (int n = 0, in_vain = 0; n < most && in_vain < may_fail(); ++n) {
-    const double share = least / problem.asked();
-    const double light = share < near ? share_of_light * problem.asked() : 0;
+    const double share = least / problem.rhs_norm();
+    const double light = share < near ? share_of_light * problem.rhs_norm() : 0;
     if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, share)), light, step)) break;
     std::vector<double> there = best;
     for (std::size_t k = 0; k < there.size(); ++k) there[k] += step[k];

@@ -12,7 +12,7 @@ ConeProblem<Dof>::ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof
                               const std::vector<FrictionContact>& friction,
                               const std::vector<InverseMass<Dof>>& inverse_mass,
                               ContactVelocitySystem<Dof>& system)
-    : rows_(rows), V_(V), friction_(friction), system_(system), asked_(rhs_norm(rows)) {
+    : rows_(rows), V_(V), friction_(friction), system_(system), rhs_norm_(spook::rhs_norm(rows)) {
   system_.begin(rows, inverse_mass);
   auto contact = friction.begin();
   for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(blocks_.back().count)) {

@@ -34,9 +34,9 @@ class ConeProblem {
     return {rows_[block.row + 1].lambda, rows_[block.row + 2].lambda};
   }
 
-  double asked() const { return asked_; }    ///< the largest |B| [m/s]
-  double row_residual(std::size_t k) const;  ///< of one row, without bounds: Eq. (4.6) [m/s]
-  double residual() const;                   ///< Eq. (9.7) [m/s]
+  double rhs_norm() const { return rhs_norm_; }  ///< the largest |B| [m/s]
+  double row_residual(std::size_t k) const;      ///< of one row, without bounds: Eq. (4.6) [m/s]
+  double residual() const;                       ///< Eq. (9.7) [m/s]
 
   /// Tells whether a residual is at most the tolerance, or the round-off of the current λ, Eq. (11.13) [m/s].
   bool is_solved(double residual, double tolerance) const;
@@ -61,7 +61,7 @@ class ConeProblem {
   const std::vector<FrictionContact>& friction_;
   ContactVelocitySystem<Dof>& system_;
   std::vector<ContactBlock> blocks_;
-  double asked_;
+  double rhs_norm_;
   std::int64_t sweeps_ = 0;
 };
 

@@ -105,7 +105,7 @@ double ConeSweeps<Dof>::sweep() {
 }
 
 template <int Dof>
-Eigen::VectorXd ConeSweeps<Dof>::impulses() const {
+Eigen::VectorXd ConeSweeps<Dof>::scaled_impulses() const {
   Eigen::VectorXd all(weights_.size());
   for (const std::size_t k : others_) all[k] = weights_[k] * rows_[k].lambda;
   for (std::size_t c = 0; c < blocks_.size(); ++c)

@@ -28,8 +28,8 @@ struct ConeBlock {
   Vec3 lambda;  ///< [N s]
 };
 
-/// Sweeps over rows without and contacts with a cone. Refers to its arguments. Rows of contacts have their λ here, until
-/// `write_back`.
+/// Sweeps over plain rows, and over contacts with a cone. Refers to its arguments. Stores the impulses of contacts
+/// until `write_back`.
 template <int Dof>
 class ConeSweeps {
  public:
@@ -41,8 +41,8 @@ class ConeSweeps {
   /// S_kk |Δλ_k| or s |Δλ_t| [m/s].
   double sweep();
 
-  /// Returns √S_kk λ_k of each row. The squares of changes of it add up to Σ S_kk Δλ_k².
-  Eigen::VectorXd impulses() const;
+  /// Returns √S_kk λ_k of each row, so that the square of a change is Σ S_kk Δλ_k².
+  Eigen::VectorXd scaled_impulses() const;
 
   /// Sets λ to these impulses, projected on the bounds and the cones, and V to M⁻¹ Gᵀ λ.
   void start_from(const Eigen::VectorXd& impulses);

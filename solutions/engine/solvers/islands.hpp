@@ -27,8 +27,8 @@ bool moves_j(const Row<Dof>& row) {
 template <int Dof>
 std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies);
 
-/// Tells whether velocities are the cheaper unknowns: fewer than the rows with bounds, or fewer than half of the rows
-/// without bounds.
+/// Tells whether velocities are the cheaper unknowns: fewer than the rows with bounds and half of the rows without
+/// bounds together.
 template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows);
 

@@ -11,9 +11,9 @@ namespace {
 template <int Dof>
 class BarrierSystem {
  public:
-  BarrierSystem(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on,
+  BarrierSystem(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
                 const VelocityFactors& factors, std::size_t bodies)
-      : rows_(rows), on_(on), factors_(factors), V_(bodies) {}
+      : rows_(rows), velocity_system_(velocity_system), factors_(factors), V_(bodies) {}
 
   /// Returns Σ̃ [1/kg].
   Vector softness(const Interior& now) const {
@@ -44,17 +44,18 @@ class BarrierSystem {
     double last = infinity;
     for (int n = 0; n <= refinements; ++n) {
       if (n > 0) r = wanted + minus_S(x) - softness.cwiseProduct(x);
-      Vector right = Vector::Zero(on_.size());
+      Vector right = Vector::Zero(velocity_system_.size());
       double most = 0;
       for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (K[k] == 0) continue;
         most = std::max(most, std::abs(r[k]));
-        on_.scatter(rows_[k], K[k] * r[k], right);
+        velocity_system_.scatter(rows_[k], K[k] * r[k], right);
       }
       if (!(most < 0.1 * last)) break;
       last = most;
       const Vector v = factors_.solve(right);
-      for (std::size_t k = 0; k < rows_.size(); ++k) x[k] += K[k] * (r[k] - on_.gather(rows_[k], v));
+      for (std::size_t k = 0; k < rows_.size(); ++k)
+        x[k] += K[k] * (r[k] - velocity_system_.gather(rows_[k], v));
     }
     return x;
   }
@@ -73,7 +74,7 @@ class BarrierSystem {
   }
 
   const std::vector<Row<Dof>>& rows_;
-  const VelocitySystem<Dof>& on_;
+  const VelocitySystem<Dof>& velocity_system_;
   const VelocityFactors& factors_;
   std::vector<Twist<Dof>> V_;
 };
@@ -182,14 +183,14 @@ double answer(const Row<Dof>& row, std::size_t k, const Interior& now) {
 }  // namespace
 
 template <int Dof>
-SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on,
+SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& velocity_system,
                                   std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors) {
-  BarrierSystem<Dof> system(rows, on, factors, V.size());
+  BarrierSystem<Dof> system(rows, velocity_system, factors, V.size());
   Interior now = start(rows);
   SolveReport report;
   while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
     const Vector softness = system.softness(now);
-    if (!factors.factorise(on.matrix(rows, system.stiffness(softness)))) return report;
+    if (!factors.factorise(velocity_system.matrix(rows, system.stiffness(softness)))) return report;
     now = next(rows, now, softness, system);
     std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
     for (std::size_t k = 0; k < rows.size(); ++k) {

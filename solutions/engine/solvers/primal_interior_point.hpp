@@ -15,7 +15,7 @@ namespace spook {
 /// impulses. All rows must have Σ > 0. Appends the residual of Eq. (4.8) after each factorisation to the history. The
 /// report has not converged if stop.max_sweeps factorisations do not suffice, or if a pivot fails Eq. (11.4).
 template <int Dof>
-SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on,
+SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& velocity_system,
                                   std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors);
 
 }  // namespace spook

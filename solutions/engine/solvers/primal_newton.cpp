@@ -57,17 +57,17 @@ ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
 /// Solves the free rows, with fixed λ of the others: Eq. (11.15), and (11.14) while this helps and a residual exceeds
 /// `enough` [m/s].
 template <int Dof>
-void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const Vector& stiffness,
-                const VelocityFactors& factors, double enough, State<Dof>& state) {
+void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
+                const Vector& stiffness, const VelocityFactors& factors, double enough, State<Dof>& state) {
   constexpr int refinements = 8;
   Vector residuals = Vector::Zero(stiffness.size());
   double last = infinity;
   for (int n = 0; n <= refinements; ++n) {
-    Vector right = Vector::Zero(on.size());
+    Vector right = Vector::Zero(velocity_system.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (stiffness[k] == 0) continue;
       residuals[k] = state.row_residual(rows[k], k);
-      on.scatter(rows[k], stiffness[k] * residuals[k], right);
+      velocity_system.scatter(rows[k], stiffness[k] * residuals[k], right);
     }
     const double most = residuals.cwiseAbs().maxCoeff();
     if (!(most < 0.1 * last) || (n > 0 && most <= enough)) return;
@@ -75,7 +75,8 @@ void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on
     const Vector v = factors.solve(std::move(right));
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (stiffness[k] != 0)
-        state.move(rows[k], k, state.lambda[k] + stiffness[k] * (residuals[k] - on.gather(rows[k], v)));
+        state.move(rows[k], k,
+                   state.lambda[k] + stiffness[k] * (residuals[k] - velocity_system.gather(rows[k], v)));
   }
 }
 
@@ -95,12 +96,12 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// Moves towards the solution of the free rows as long as the energy falls, or rises by no more than round-off. A start
 /// from the last step may have no more energy to lose.
 template <int Dof>
-State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const ActiveSet& active,
-                const VelocityFactors& factors, double enough, const State<Dof>& now) {
+State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
+                const ActiveSet& active, const VelocityFactors& factors, double enough, const State<Dof>& now) {
   State<Dof> there = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (active.stiffness[k] == 0) there.move(rows[k], k, active.held_at[k]);
-  solve_free(rows, on, active.stiffness, factors, enough, there);
+  solve_free(rows, velocity_system, active.stiffness, factors, enough, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
   // If no row moved to a bound or was clamped, the free rows have the least energy.
@@ -120,8 +121,8 @@ Vector impulses_of(const std::vector<Row<Dof>>& rows) {
 
 /// Repeats Newton steps with the current active set while they make progress.
 template <int Dof>
-SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on, std::vector<Twist<Dof>>& V,
-                         const StopRule& stop, VelocityFactors& factors) {
+SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& velocity_system,
+                         std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors) {
   constexpr int sweeps = 4, most_in_vain = 2;
   // In units of round-off: with the right active set the residual ends far below this. A tower under 10⁸:1 whose
   // residual equals round-off may be about to buckle.
@@ -132,8 +133,8 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on, s
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
     const State<Dof> now{impulses_of(rows), V};
     const ActiveSet free = active_set(rows, now);
-    if (!factors.factorise(on.matrix(rows, free.stiffness))) return report;
-    State<Dof> next = step(rows, on, free, factors, enough(), now);
+    if (!factors.factorise(velocity_system.matrix(rows, free.stiffness))) return report;
+    State<Dof> next = step(rows, velocity_system, free, factors, enough(), now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
     V = std::move(next.V);
     report.history.push_back(residual(rows, V));
@@ -155,12 +156,12 @@ std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
                                          PrimalFactors<Dof>& kept) {
   const bool soft = std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
   if (!soft) return std::nullopt;
-  auto& [on, factors] = kept;
-  on.begin(rows, inverse_mass);
+  auto& [velocity_system, factors] = kept;
+  velocity_system.begin(rows, inverse_mass);
   const State<Dof> before{impulses_of(rows), V};
-  SolveReport report = newton_solve(rows, on, V, stop, factors);
+  SolveReport report = newton_solve(rows, velocity_system, V, stop, factors);
   if (!report.converged) {
-    const SolveReport from_within = primal_interior_point(rows, on, V, stop, factors);
+    const SolveReport from_within = primal_interior_point(rows, velocity_system, V, stop, factors);
     report.history.insert(report.history.end(), from_within.history.begin(), from_within.history.end());
     report.converged = from_within.converged;
   }

@@ -23,7 +23,7 @@ namespace spook {
 /// A cache for the next step: which bodies share rows, and the order and pattern of the factors.
 template <int Dof>
 struct PrimalFactors {
-  VelocitySystem<Dof> on;
+  VelocitySystem<Dof> velocity_system;
   VelocityFactors factors;
 };
 

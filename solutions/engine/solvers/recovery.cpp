@@ -34,45 +34,64 @@ static bool is_beyond(const Row<Dof>& limit, const Motion<Dof>& motion) {
 }
 
 template <int Dof>
-std::optional<ConstraintSet<Dof>> constraints_without_recovery(
-    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw,
-    const JointRecovery& joints) {
+bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
+                          const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
+                          std::vector<RowState>& first) {
   const Motion<Dof>& motion = s.bodies.motion;
-  std::vector<bool> recovers(s.rows().size(), false), is_limit = recovers, holds = recovers;
+  std::vector<Row<Dof>>& rows = s.rows();
+  std::vector<bool> recovers(rows.size(), false), is_limit = recovers, holds = recovers;
   bool any = false;
   for (const std::size_t k : joints.holding) holds[k] = recovers[k] = any = true;
   for (const RigidLimit& limit : joints.limits) {
-    const Row<Dof>& row = s.rows()[limit.row];
+    const Row<Dof>& row = rows[limit.row];
     is_limit[limit.row] = true;
     recovers[limit.row] = row.lambda > 0 && opening_speed(row, motion, &s.V) > limit.ignored;
     any = any || recovers[limit.row];
   }
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
     const std::size_t k = s.constraints.normal_row(c);
-    const Row<Dof>& row = s.rows()[k];
+    const Row<Dof>& row = rows[k];
     if (!(row.lambda > 0) || !(opening_speed(row, motion, &s.V) > ignored)) continue;
     recovers[k] = !may_throw || !may_throw(s.contacts[c]);
     any = any || recovers[k];
   }
-  if (!any) return {};
+  if (!any) return false;
 
-  ConstraintSet<Dof> without = s.constraints;
-  for (const std::vector<int>& island : islands(without.rows, s.bodies.size())) {
+  first.clear();
+  for (const Row<Dof>& row : rows)
+    first.push_back({row.B, row.Sigma, row.diagonal, row.lo, row.hi, row.lambda});
+  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
     for (const int k : island) {
-      if (holds[k] || (is_limit[k] && is_beyond(s.rows()[k], motion))) forget_gap(without.rows[k], motion);
-      const auto c = without.contact_of_normal_row(static_cast<std::size_t>(k));
+      if (holds[k] || (is_limit[k] && is_beyond(rows[k], motion))) forget_gap(rows[k], motion);
+      const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
       if (!c) continue;
       const Contact& contact = s.contacts[*c];
-      if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(without.rows[k], motion);
+      if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(rows[k], motion);
     }
   }
-  return without;
+  return true;
 }
 
-template std::optional<ConstraintSet<3>> constraints_without_recovery(
-    const SolverInput<3>&, double, const std::function<bool(const Contact&)>&, const JointRecovery&);
-template std::optional<ConstraintSet<6>> constraints_without_recovery(
-    const SolverInput<6>&, double, const std::function<bool(const Contact&)>&, const JointRecovery&);
+template <int Dof>
+void restore(const std::vector<RowState>& before, std::vector<Row<Dof>>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const RowState& was = before[k];
+    Row<Dof>& row = rows[k];
+    row.B = was.B;
+    row.Sigma = was.Sigma;
+    row.diagonal = was.diagonal;
+    row.lo = was.lo;
+    row.hi = was.hi;
+    row.lambda = was.lambda;
+  }
+}
+
+template bool prepare_second_solve(const SolverInput<3>&, double, const std::function<bool(const Contact&)>&,
+                                   const JointRecovery&, std::vector<RowState>&);
+template bool prepare_second_solve(const SolverInput<6>&, double, const std::function<bool(const Contact&)>&,
+                                   const JointRecovery&, std::vector<RowState>&);
+template void restore(const std::vector<RowState>&, std::vector<Row<3>>&);
+template void restore(const std::vector<RowState>&, std::vector<Row<6>>&);
 
 }  // namespace spook

@@ -3,7 +3,7 @@
 // that is too long shortens, in the same way.
 //
 //   u = G (W + W_f + V)            speed at which a contact opens after the solve [m/s]; -a g where an overlap was at rest
-//   λ > 0 and u > 0                the contact recovers: it pushes more than stops its bodies
+//   λ > 0 and u > 0                the contact recovers: its impulse is larger than the one that stops the bodies
 //   S λ' = -G (W + W_f)            its island is solved once more, with closed contacts that stop and do not recover:
 //                                  a = b = 0 and Σ = 0, all else as before                                 Eq. (7.17)
 //   x += h (W + W_f + V)           positions move with the first solution, the overlap shrinks by the part a h
@@ -12,10 +12,9 @@
 // Which rows of joints recover is in engine/constraints/joint_recovery.hpp. A position that moves with one velocity and
 // goes on with another changes the angular momentum a little.
 //
-// Σ = 0 leaves the corners of a box without one solution; a thousandth of S_kk is taken, which leaves a thousandth of
-// the speed that was stopped, inwards.
+// With Σ = 0 the impulses at the corners of a box are not unique. So Σ is at most a thousandth of S_kk instead, which
+// leaves a thousandth of the speed that was stopped, inwards.
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "engine/constraints/joint_recovery.hpp"
@@ -23,12 +22,22 @@
 
 namespace spook {
 
-/// Returns the rows of the second solve, from the solved system `s`; λ is that of the first. Returns none where no
-/// contact that pushes opens faster than `ignored` [m/s], and no joint recovers. `may_throw` says which contacts are
-/// springs, whose rebound stays; null: none.
+/// The numbers of a row that a second solve changes.
+struct RowState {
+  double B, Sigma, diagonal, lo, hi, lambda;
+};
+
+/// Turns the rows of the solved system `s` into those of the second solve; λ stays that of the first. Returns false, and
+/// changes nothing, where no contact that pushes opens faster than `ignored` [m/s], and no joint recovers. `may_throw`
+/// says which contacts are springs, whose rebound stays; null: none. `first` receives the states of all rows, for
+/// restore(); its memory serves all steps, since new memory for a large pile costs as much as many sweeps.
 template <int Dof>
-std::optional<ConstraintSet<Dof>> constraints_without_recovery(
-    const SolverInput<Dof>& s, double ignored, const std::function<bool(const Contact&)>& may_throw,
-    const JointRecovery& joints);
+bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
+                          const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
+                          std::vector<RowState>& first);
+
+/// Gives the rows the states that prepare_second_solve has found.
+template <int Dof>
+void restore(const std::vector<RowState>& before, std::vector<Row<Dof>>& rows);
 
 }  // namespace spook

@@ -103,7 +103,7 @@ struct NamedSolver {
   bool takes_row_order = false;  ///< ordered_gauss_seidel is this solver in another order
 };
 
-/// All solvers; the first is the default. The names do not depend on Dof.
+/// All solvers without an inner solver. The default of a world is automatic(), "auto". The names do not depend on Dof.
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers();
 

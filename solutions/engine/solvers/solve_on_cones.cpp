@@ -37,7 +37,7 @@ class Attempts {
   static constexpr int most_of_newton = 12, most_within = 60;
 
   int remaining() const { return effort_.most - static_cast<int>(report_.history.size()); }
-  double part(double share) const { return std::max(tolerance_, share * problem_.asked()); }
+  double part(double share) const { return std::max(tolerance_, share * problem_.rhs_norm()); }
 
   bool newton(int most) {
     return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
@@ -87,7 +87,7 @@ class Attempts {
   bool is_enough() const { return tried_within_ && least_ <= suffices(); }
 
   /// Tells whether sweeps reach what is enough sooner than lagged limits do.
-  bool is_coarse() const { return suffices() >= 1e-4 * problem_.asked(); }
+  bool is_coarse() const { return suffices() >= 1e-4 * problem_.rhs_norm(); }
 
   /// Returns to the best λ, and tells whether it is enough. The last entry of the history is the residual of λ.
   bool end_with_best() {

@@ -1,5 +1,6 @@
 #pragma once
-// Handles of bodies and joints: numbers from 0 on that stay while others are removed, where indices move up.
+// Handles of bodies and joints: numbers from 0 on that stay valid when others are removed. Indices of later ones then
+// decrease.
 //
 // A program may keep data on each body in a vector of its own, indexed by handles. A world without
 // handles pays nothing for them.

@@ -14,7 +14,7 @@ class SimulationDiverged : public std::runtime_error {
       : std::runtime_error(describe(step, time, body, what)), step_(step), time_(time), body_(body) {}
 
   std::int64_t step() const { return step_; }  ///< the failed step; the first step is 1
-  double time() const { return time_; }        ///< at the end of that step [s]
+  double time() const { return time_; }        ///< at the end of that step, or of its failed part [s]
   int body() const { return body_; }           ///< the first affected body
 
  private:

@@ -6,8 +6,8 @@
 
 namespace spook {
 
-/// Takes a step of h [s] and returns nothing, or why the world diverged, where step() throws it.
-/// Throws std::invalid_argument for h, as step() does.
+/// Takes a step of h [s]. Returns the SimulationDiverged that step() would throw, or an empty optional. Throws
+/// std::invalid_argument for h, as step() does.
 template <int Dof>
 [[nodiscard]] std::optional<SimulationDiverged> try_step(World<Dof>& world, double h) {
   try {

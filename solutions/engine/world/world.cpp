@@ -72,7 +72,7 @@ void World<Dof>::step_part(double h) {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
   if (!rows().empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
-  if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
+  if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { solve_again(h); });
   if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }

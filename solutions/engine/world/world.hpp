@@ -83,9 +83,9 @@ struct Settings {
   std::optional<double> d = {};
   double friction = 0;      ///< μ; 0: no friction rows
   double viscosity = 1e12;  ///< of sticking contacts, c of Eq. (5.4) [N s/m]; may be infinite
-  /// Restitution and friction of impacts. The threshold is increased by |gravity| h, the speed that gravity adds in a
-  /// step, or by |gravity| √(2 m/k), that of a bounce as high as the sag of the contact, if it is more. Default: no
-  /// impacts.
+  /// Restitution and friction of impacts. The threshold is increased by the larger one of |gravity| h, the speed that
+  /// gravity adds in a step, and |gravity| √(2 m/k), the speed of a bounce as high as the sag of the contact. Default:
+  /// no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< first tangent along the slip, Eq. (9.2)
   /// A solver of engine/solvers/registry.hpp, or your own. The solver also selects the friction model. Default: factors
@@ -107,8 +107,9 @@ struct Settings {
   /// 1: never.
   int max_parts = 32;
   /// Soft steps, the method of today's game engines: fast, and accurate to a per cent or so. They have contacts on
-  /// Coulomb's cones and warm starts, and do not use `solver`, `warm_start` and `max_parts`. Then k and d must not be
-  /// given, joints with a k of their own are springs, and `Joint::spring` and ropes are refused. Default: none
+  /// Coulomb's cones and warm starts, and do not use `solver`, `warm_start` and `max_parts`. Then the settings and
+  /// materials must not have k and d, and `Joint::spring` and ropes are refused. A joint with a k of its own is a
+  /// spring. Default: none
   std::optional<SoftSteps> soft_steps = {};
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
@@ -139,7 +140,7 @@ class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
   /// viscosity > 0, and the impact law, the solver and its stop rule are valid. The friction box takes its bounds from
-  /// gravity, Eq. (5.7), so it also throws if `force` alone presses.
+  /// gravity, Eq. (5.7). So also throws for a box without gravity, if `force` or `wrench` is set.
   ///
   /// Order 4 needs steps that are symmetric in time: it also throws for d > 0 and for rotation rules other than
   /// splitting. Later calls then throw for anything that could make two bodies touch, and the first step throws for a
@@ -178,7 +179,8 @@ class World {
   void set_spring(int joint, const std::optional<Spring>& spring) requires(Dof == 6);
 
   /// Sets the material of a body, or of the contact of two bodies. engine/bodies/materials.hpp combines the materials
-  /// of two bodies. The restitution and friction of the settings' impact law hold for all other pairs.
+  /// of two bodies. All other pairs have the restitution of the impact law. Once any material is set, impacts have
+  /// `Settings::friction`, and not the friction of the impact law.
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
 
@@ -218,8 +220,9 @@ class World {
   /// set_velocity, but takes a plane, whose velocity must have no part along the normal.
   void set_surface_velocity(int body, const Vec3& v);
 
-  /// The same with a velocity that depends on time. A step takes the velocity at its middle, so that positions are of
-  /// second order. A step throws std::invalid_argument, naming the velocity, if it is not finite.
+  /// Makes a static body kinematic, with a velocity that depends on time; the body moves, as with set_velocity. A step
+  /// takes the velocity at its middle, so that positions are of second order. A step throws std::invalid_argument,
+  /// naming the velocity, if it is not finite.
   void set_velocity_function(int body, VelocityFunction<Dof> velocity);
 
   /// Moves a static body along keyframes, and places it where it is at the present time. After each step it is where
@@ -240,8 +243,9 @@ class World {
 
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
   /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for other
-  /// bodies, joints or settings, and for a world with a stepper; std::runtime_error for a state that ends too early.
-  /// engine/support/state_stream.hpp has bytes_of_state(world) and read_state(bytes, world).
+  /// masses, sizes, kinds or points of joints, gravity, friction, viscosity, k, d or integrator_order, and for a world
+  /// with a stepper; std::runtime_error for a state that ends too early. engine/support/state_stream.hpp has
+  /// bytes_of_state(world) and read_state(bytes, world).
   void state(StateStream& s);
 
   /// Moves every velocity half a step back, as leapfrog's start needs: Eq. (1.5). Call it once, before the first step.
@@ -249,7 +253,7 @@ class World {
   /// step.
   void start_half_step_back(double h);
 
-  /// Does the same with the forces of contacts and joints included: a start of second order, in which positions and
+  /// Does the same with the forces of contacts and joints included: a start of second order. Before it, positions and
   /// velocities belong to time 0. Solves for the accelerations that keep G v = 0, with contacts and friction within
   /// bounds.
   void start_consistently(double h);
@@ -284,9 +288,9 @@ class World {
   /// belong to its last part.
   int parts() const { return parts_; }
 
-  /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older. Forces
-  /// are those at the position; impulses of joints are half of those in the last step. If a contact acts on the body,
-  /// it is the stored velocity. Throws std::invalid_argument if h is negative.
+  /// The velocity at the time of the position [m/s], computed from the stored velocity, which is older by
+  /// velocity_lag(h). Forces are those at the position; impulses of joints are half of those in the last step. If a
+  /// contact acts on the body, it is the stored velocity. Throws std::invalid_argument if h is negative.
   Vec3 synchronized_velocity(int body, double h) const;
 
   /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and the
@@ -307,8 +311,8 @@ class World {
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
 
-  /// The angle of a hinge, full turns included [rad], or the shift of a slider [m]; and its rate, half a step before
-  /// [rad/s, m/s]. Both are of j relative to i.
+  /// The angle of a hinge, full turns included [rad], or the shift of a slider [m]; and its rate [rad/s, m/s], which is
+  /// older by velocity_lag(h). Both are of j relative to i.
   double joint_position(int joint) const requires(Dof == 6);
   double joint_speed(int joint) const requires(Dof == 6);
 
@@ -327,8 +331,8 @@ class World {
   /// A row of a joint in the last step; null before the first step.
   const Row<Dof>* joint_row(int joint, int row) const;
 
-  /// The force of a joint, or of a contact with its friction, on body j in the last step [N]; zero before the first
-  /// step.
+  /// The force of a joint, or of a contact with its friction, on body j in the last step [N]. That of a joint is zero
+  /// before the first step, when there are no contacts.
   Vec3 joint_force(int joint) const;
   Vec3 contact_force(int contact) const;
 
@@ -408,7 +412,7 @@ class World {
   SolverInput<Dof> solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
-  void take_out_recovery(double h);
+  void solve_again(double h);
   void add_work_of_drives();
   void update_kinematic_velocities(double h);
   void move_kinematic(double h);
@@ -422,14 +426,14 @@ class World {
   void step_composed(double h);
   void step_elsewhere(double h);
   void kick_all(double h, double time);
-  void require_smooth() const;
-  void require_smooth(const Joint& joint) const;
+  void require_order_four() const;
+  void require_order_four(const Joint& joint) const;
   void require_for_soft_steps(const Joint& joint) const;
   void require_no_relaxation(double d) const;
-  void require_wrench_of_places() const;
+  void require_wrench_of_positions() const;
 
   Vec3 force(std::size_t i) const;
-  void begin_half_a_step_back(const char* how, double h);
+  void note_start(const char* how, double h);
   void forget_the_last_step();
   void prepare_motion(double h);
   void require_directions(double h) const;
@@ -449,13 +453,15 @@ class World {
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint
   std::size_t next_joint_row_ = 0;
-  std::vector<std::size_t> hinges_;    // indices of the hinges
-  std::vector<Vec3> forces_;           // on each body at x_n [N]
-  std::vector<Vec3> torques_;          // with a wrench only [N m]
-  std::vector<Contact> contacts_;      // of the last step
-  ConstraintSet<Dof> constraints_;     // the rows of joints_ and contacts_
-  std::vector<Twist<Dof>> V_;          // what the rows add to each velocity
-  std::vector<Twist<Dof>> recovered_;  // what is taken out of each velocity again, Eq. (7.17)
+  std::vector<std::size_t> hinges_;  // indices of the hinges
+  std::vector<Vec3> forces_;         // on each body at x_n [N]
+  std::vector<Vec3> torques_;        // with a wrench only [N m]
+  std::vector<Contact> contacts_;    // of the last step
+  ConstraintSet<Dof> constraints_;   // the rows of joints_ and contacts_
+  std::vector<Twist<Dof>> V_;        // what the rows add to each velocity
+  std::vector<Twist<Dof>>
+      recovered_;  // is added to each velocity, so that recovery leaves no speed, Eq. (7.17)
+  std::vector<RowState> first_solve_;  // of each row, during the second solve
   std::vector<SoftGap> soft_gaps_;     // of the rows of joints, in soft steps
   SoftContacts<Dof> soft_contacts_;    // in soft steps
   std::vector<Row<Dof>> soft_joints_;  // of the joints where they are now, in soft steps
@@ -479,8 +485,8 @@ class World {
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
   ScratchCache<RattleJoints<Dof>> rattle_joints_;  // joints of steps that are composed
-  std::vector<Vec3> impulses_;                     // of the forces, in one of them [N s]
-  std::vector<Vec3> spins_;                        // of the torques [N m s]
+  std::vector<Vec3> force_impulses_;               // of the forces, in one of them [N s]
+  std::vector<Vec3> torque_impulses_;              // of the torques [N m s]
 };
 
 /// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.

@@ -6,7 +6,7 @@
 
 namespace spook {
 
-/// Returns a static body's index. Throws std::invalid_argument for another body.
+/// Returns the index of a static body. Throws std::invalid_argument for a dynamic body, and at integrator_order 4.
 template <int Dof>
 std::size_t World<Dof>::static_body(int body) const {
   const std::size_t i = index(body);

@@ -5,12 +5,12 @@ namespace spook {
 
 template <int Dof>
 void World<Dof>::step_composed(double h) {
-  if (steps_ == 1) require_wrench_of_places();
+  if (steps_ == 1) require_wrench_of_positions();
   constraints_.rows.clear();
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();
-  impulses_.assign(bodies_.size(), Vec3::Zero());
-  spins_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
+  force_impulses_.assign(bodies_.size(), Vec3::Zero());
+  torque_impulses_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
   RattleJoints<Dof>& held = *rattle_joints_;
   held.begin_step(bodies_);
   double before = 0, now = time_;
@@ -30,9 +30,9 @@ void World<Dof>::step_composed(double h) {
   clock_.run(Stage::solve, [&] { held.stop(constraints_.rows, bodies_); });
   constraints_.first_contact_row = rows().size();
   forces_.resize(bodies_.size());
-  torques_.resize(spins_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = impulses_[i] / h;
-  for (std::size_t i = 0; i < spins_.size(); ++i) torques_[i] = spins_[i] / h;
+  torques_.resize(torque_impulses_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force_impulses_[i] / h;
+  for (std::size_t i = 0; i < torque_impulses_.size(); ++i) torques_[i] = torque_impulses_[i] / h;
   row_updates_ += static_cast<std::int64_t>(solved_.history.size() * rows().size());
   end_step(h);
 }
@@ -53,11 +53,11 @@ void World<Dof>::kick_all(double h, double time) {
       if constexpr (Dof == 6) {
         const Vec3 spin = h * wrench.template tail<3>();
         W.template tail<3>() += bodies_.orientations.inverse_inertia(i) * spin;
-        spins_[i] += spin;
+        torque_impulses_[i] += spin;
       }
     }
     W.template head<3>() = kick(W.template head<3>(), f, bodies_.motion.inverse_mass[i].linear, h);
-    impulses_[i] += h * f;
+    force_impulses_[i] += h * f;
   }
 }
 
@@ -65,7 +65,7 @@ static const std::string refused = "integrator_order must be 2 with ", reason = 
 
 /// Throws std::invalid_argument for features that steps of order four do not support.
 template <int Dof>
-void World<Dof>::require_smooth() const {
+void World<Dof>::require_order_four() const {
   if (settings_.integrator_order == 2) return;
   if (settings_.integrator_order != 4) reject("integrator_order", settings_.integrator_order, "2 or 4");
   if (settings_.d) require_no_relaxation(*settings_.d);
@@ -80,7 +80,7 @@ void World<Dof>::require_smooth() const {
 }
 
 template <int Dof>
-void World<Dof>::require_smooth(const Joint& joint) const {
+void World<Dof>::require_order_four(const Joint& joint) const {
   if (settings_.integrator_order == 2) return;
   require_no_relaxation(*joint.d);
   if (joint.kind == JointKind::rope)
@@ -103,7 +103,7 @@ void World<Dof>::require_no_relaxation(double d) const {
 
 /// Throws std::invalid_argument for a wrench that depends on velocities.
 template <int Dof>
-void World<Dof>::require_wrench_of_places() const {
+void World<Dof>::require_wrench_of_positions() const {
   if (!settings_.wrench) return;
   Bodies<Dof> faster = bodies_;
   for (Twist<Dof>& W : faster.motion.W) W += Twist<Dof>::Ones();

@@ -40,8 +40,9 @@ double World<Dof>::parts_needed_now(double h) const {
   return parts_needed<Dof>(joints_, bodies_, h, [&](int joint) { return joint_force(joint).norm(); });
 }
 
-/// Divides the present step into more parts if the part that has just ended needs them, as when a chain snaps taut. Where
-/// even the largest number is too small, joints relax as slowly as in the step that they would need.
+/// Divides the present step into more parts if the part that has just ended needs them, as when a chain snaps taut. If
+/// even the largest number of parts is too small, joints close their gaps as slowly as in a step of the length that
+/// they need.
 template <int Dof>
 bool World<Dof>::divide_more(double h) {
   const double needed = parts_needed_now(h);
@@ -53,7 +54,7 @@ bool World<Dof>::divide_more(double h) {
   return true;
 }
 
-/// Keeps what a step changes, other than what its first stages compute anew.
+/// Saves the state that a step changes, for go_back(). Values that the first stages compute anew are left out.
 template <int Dof>
 void World<Dof>::remember_state() {
   BeforeStep& before = *before_step_;
@@ -93,7 +94,8 @@ double World<Dof>::least_relaxation(double h) const {
   return gap_step_ > h ? relaxation_of_joints * (2 * gap_step_ / h - 1) : 0;
 }
 
-/// Finds the forces of joints that no step has found yet, by a step that is not taken. The world is as before.
+/// Finds the forces of joints before the first step, by a solve without a motion, and returns the number of parts that
+/// they need. The world is as before.
 template <int Dof>
 double World<Dof>::parts_needed_at_first(double h) {
   const double last_h = h_;

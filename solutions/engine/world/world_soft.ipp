@@ -89,7 +89,7 @@ void World<Dof>::build_soft_joints(double h) {
   if (joints_.empty()) return;
   Motion<Dof>& motion = bodies_.motion;
   at_rest_.assign(bodies_.size(), Twist<Dof>::Zero());
-  motion.Wf = at_rest_;  // which W has by now
+  motion.Wf = at_rest_;  // W contains Wf already
   motion.W.swap(at_rest_);
   soft_joints_.clear();
   add_joint_rows(joints_, h, bodies_, soft_joints_);
@@ -124,8 +124,8 @@ void World<Dof>::sweep_rigid_rows(double h) {
   sweep_all_rows([&] { return soft_contacts_.sweep_rigid(h, bodies_.motion.W); });
 }
 
-/// Updates joints, then all friction, then all normal rows, by Eq. (4.7), (9.6) and (10.21). So each sweep ends with
-/// what carries the weight: with friction after each normal row, large pyramids fall.
+/// Updates joints, then all friction, then all normal rows, by Eq. (4.7), (9.6) and (10.21). Normal rows come last,
+/// because they carry the weight. If friction came after each normal row, large pyramids would fall.
 template <int Dof>
 template <class Normals>
 void World<Dof>::sweep_all_rows(const Normals& sweep_normals) {

@@ -6,9 +6,10 @@
 
 namespace spook {
 
-/// Throws std::invalid_argument after a start, or a step.
+/// Notes that the velocities now are half a step back. Throws std::invalid_argument for an invalid h, for a second
+/// start, and after a step.
 template <int Dof>
-void World<Dof>::begin_half_a_step_back(const char* how, double h) {
+void World<Dof>::note_start(const char* how, double h) {
   require_positive("h", h);
   if (half_step_back_ || steps_ > 0)
     throw std::invalid_argument(
@@ -19,7 +20,7 @@ void World<Dof>::begin_half_a_step_back(const char* how, double h) {
 
 template <int Dof>
 void World<Dof>::start_half_step_back(double h) {
-  begin_half_a_step_back("start_half_step_back", h);
+  note_start("start_half_step_back", h);
   if (settings_.integrator_order == 4) return;
   divide_steps(h);
   h /= parts_;
@@ -75,7 +76,7 @@ static std::vector<bool> rows_of_drives(const std::vector<Joint>& joints, std::s
 
 template <int Dof>
 void World<Dof>::start_consistently(double h) {
-  begin_half_a_step_back("start_consistently", h);
+  note_start("start_consistently", h);
   if (settings_.integrator_order == 4) return;
   if (shapes_.may_touch()) find_contacts(h);
   evaluate_forces(h);
@@ -112,9 +113,9 @@ void World<Dof>::start_consistently(double h) {
   forget_the_last_step();
 }
 
-/// Half of the change of velocity by the joints in the last step: their forces at the time of the position are not known
-/// before the next step. Nothing if a contact acts on the body: its impulse may be that of a stop, and afterwards loads
-/// and contact forces cancel, as shift_to_step assumes.
+/// Returns half of the change of velocity by the joints in the last step: their forces at the time of the position are
+/// not known before the next step. Returns nothing if a contact acts on the body, since its impulse may have stopped
+/// the body; shift_to_step assumes that loads and contact forces then cancel.
 template <int Dof>
 std::optional<Twist<Dof>> World<Dof>::half_change_by_joints(std::size_t i) const {
   if (settings_.soft_steps || V_.size() != bodies_.size()) return Twist<Dof>(Twist<Dof>::Zero());

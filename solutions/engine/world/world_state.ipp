@@ -31,8 +31,9 @@ inline void state_of(StateStream& s, SolveReport& report) {
   s(report.history, report.converged, report.trouble);
 }
 
-/// Returns a hash of what the builder of a world chose and steps do not change: masses, shapes, joints, and settings.
-/// Motors, springs, materials and forces are left out, since a program may set them between steps.
+/// Returns a hash of what steps do not change: masses, shapes, kinds and points of joints, and gravity, friction,
+/// viscosity, k, d and integrator_order. Motors, springs, materials and forces are left out, since a program may set
+/// them between steps.
 template <int Dof>
 std::size_t hash_of_build(const World<Dof>& world) {
   std::string text;

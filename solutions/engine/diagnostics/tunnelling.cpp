@@ -1,4 +1,4 @@
-#include "engine/diagnostics/passage.hpp"
+#include "engine/diagnostics/tunnelling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,8 @@ static Vec3 in_axes_of(const Bodies<Dof>& bodies, std::size_t body, const Vec3& 
 }
 
 template <int Dof>
-std::optional<Passage> find_passage(const World<Dof>& world, const std::vector<Vec3>& before,
-                                    const std::vector<Shape>& shapes, const std::vector<double>& sizes) {
+std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::vector<Vec3>& before,
+                                          const std::vector<Shape>& shapes, const std::vector<double>& sizes) {
   const Bodies<Dof>& bodies = world.bodies();
   // Soft steps look for contacts once in a step, others in each part.
   const double searches = world.settings().soft_steps ? 1 : world.parts();
@@ -69,26 +69,26 @@ std::optional<Passage> find_passage(const World<Dof>& world, const std::vector<V
   for (const Pair& pair : sweep_and_prune(ways)) {
     const int i = solids[pair.first], j = solids[pair.second];
     const Vec3 start = before[i] - before[j], end = bodies.x[i] - bodies.x[j];
-    const double way = (end - start).norm() / searches, seen = sizes[i] + sizes[j];
-    if (way <= seen || world.shapes().exclusions.exclude(i, j)) continue;
+    const double way = (end - start).norm() / searches, detected_within = sizes[i] + sizes[j];
+    if (way <= detected_within || world.shapes().exclusions.excludes(i, j)) continue;
     const auto meets = [&](int other, const Vec3& from, const Vec3& to) {
       const auto at = static_cast<std::size_t>(other);
       return enters(shapes[at], in_axes_of(bodies, at, from), in_axes_of(bodies, at, to));
     };
     if (!meets(j, start, end) && !meets(i, -start, -end)) continue;
     const bool i_moves = !bodies.is_fixed(static_cast<std::size_t>(i));
-    return Passage{.body = i_moves ? i : j,
-                   .other = i_moves ? j : i,
-                   .way = way,
-                   .seen = seen,
-                   .longest_step = seen / way};
+    return Tunnelling{.body = i_moves ? i : j,
+                      .other = i_moves ? j : i,
+                      .way = way,
+                      .detected_within = detected_within,
+                      .longest_step = detected_within / way};
   }
   return {};
 }
 
-template std::optional<Passage> find_passage<3>(const World<3>&, const std::vector<Vec3>&,
-                                                const std::vector<Shape>&, const std::vector<double>&);
-template std::optional<Passage> find_passage<6>(const World<6>&, const std::vector<Vec3>&,
-                                                const std::vector<Shape>&, const std::vector<double>&);
+template std::optional<Tunnelling> find_tunnelling<3>(const World<3>&, const std::vector<Vec3>&,
+                                                      const std::vector<Shape>&, const std::vector<double>&);
+template std::optional<Tunnelling> find_tunnelling<6>(const World<6>&, const std::vector<Vec3>&,
+                                                      const std::vector<Shape>&, const std::vector<double>&);
 
 }  // namespace spook
