@@ -110,10 +110,10 @@ Experiment experiment(Size size) {
       const Table first = table.where("method", method).where("orbit", 1);
       return last_log_log_slope(first.numbers("evaluations an orbit"), first.numbers("energy error"));
     };
-    claims.near("leapfrog's energy error falls with the square of the cost: slope -2.0 ± 0.1",
+    claims.near("the energy error of leapfrog falls with the second power of the cost: slope -2.0 ± 0.1",
                 slope("leapfrog"), -2, 0.1);
-    claims.near("RK4's with the fourth power: slope -4.0 ± 0.2", slope("RK4"), -4, 0.2);
-    claims.between("explicit Euler's with the first, at best: slope between -1.1 and 0",
+    claims.near("that of RK4 falls with the fourth power: slope -4.0 ± 0.2", slope("RK4"), -4, 0.2);
+    claims.between("that of explicit Euler falls with the first power at best: slope between -1.1 and 0",
                    slope("explicit Euler"), -1.1, 0);
     const auto growth = [&](const std::string& method) {
       const Table long_run = table.where("method", method).where("evaluations an orbit", 1000);
@@ -121,11 +121,12 @@ Experiment experiment(Size size) {
       return errors.back() / errors.front();
     };
     claims.near(
-        "leapfrog's error does not grow over many orbits: that of the last is 1.00 ± 0.01 times that of the "
-        "second",
+        "the error of leapfrog does not grow over many orbits: the last orbit has 1.00 ± 0.01 times the error "
+        "of the second",
         growth("leapfrog"), 1, 0.01);
-    claims.at_least("RK4's grows all the way: to more than 20 times that of the second orbit", growth("RK4"),
-                    20);
+    claims.at_least(
+        "the error of RK4 grows all the way: the last orbit has more than 20 times the error of the second",
+        growth("RK4"), 20);
   };
   return e;
 }

@@ -99,10 +99,10 @@ Experiment experiment(Size size) {
       return table.where("method", method).numbers("error [rad]").back();
     };
     claims.near("the splitting has order 2.0 ± 0.1", order("splitting"), 2, 0.1);
-    claims.near("with the torque taken at the old ω the first-order update has order 1.0 ± 0.1",
-                order("first order"), 1, 0.1);
-    claims.near("so has the exponential update, since its torque is explicit, too", order("exponential"), 1,
-                0.1);
+    claims.near("the first-order update with the torque at the old ω has order 1.0 ± 0.1", order("first order"),
+                1, 0.1);
+    claims.near("the exponential update has order 1.0 ± 0.1, too, because its torque is explicit",
+                order("exponential"), 1, 0.1);
     claims.at_least("without the torque no step is small enough: the error stays above 0.1 rad",
                     last("no torque"), 0.1);
   };

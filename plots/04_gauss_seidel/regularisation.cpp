@@ -92,7 +92,7 @@ Experiment experiment(Size size) {
 
     const Table rows = table.where("what", "contradict");
     const auto drift = rows.where("Sigma", 0).numbers("sweeps or impulse");
-    claims.near("contradictory rows with Σ = 0 drive the impulses apart by 1 N s in every sweep, for ever",
+    claims.near("with Σ = 0 two contradictory rows change their impulses by 1 N s in every sweep, without end",
                 (drift.front() - drift.back()) / (static_cast<double>(drift.size()) - 1), 1, 1e-9);
     const auto settled = rows.where("Sigma", 0.1).numbers("predicted or velocity");
     claims.near("with Σ = 0.1 they converge to the velocity 3/(2 + Σ) m/s", settled.back(), 3 / 2.1, 1e-9);

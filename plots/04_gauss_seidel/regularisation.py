@@ -12,11 +12,11 @@ X, Y = "ratio or sweep", "sweeps or impulse"
 
 def draw(data, mine):
     figure, (ratio, rows) = figures.new(columns=2)
-    for Sigma, style in zip(data.table.values("Sigma"), figures.STYLES):
-        some = data.table.only("what", "ratio").only("Sigma", Sigma)
-        if some.rows:
-            ratio.plot(some[X], some[Y], label=f"m Σ = {figures.number(Sigma)}", **style | {"linestyle": "none"})
-            ratio.plot(some[X], some["predicted or velocity"], color=style["color"], linestyle=style["linestyle"])
+    ratios = data.table.only("what", "ratio")
+    for Sigma, style in zip(ratios.values("Sigma"), figures.STYLES):
+        some = ratios.only("Sigma", Sigma)
+        ratio.plot(some[X], some[Y], label=f"m Σ = {figures.number(Sigma)}", **style | {"linestyle": "none"})
+        ratio.plot(some[X], some["predicted or velocity"], color=style["color"], linestyle=style["linestyle"])
     for Sigma, style in zip(data.table.only("what", "contradict").values("Sigma"), figures.STYLES):
         some = data.table.only("what", "contradict").only("Sigma", Sigma)
         rows.plot(some[X], some[Y], label=f"Σ = {Sigma:g}", markevery=20, **style)
@@ -26,7 +26,7 @@ def draw(data, mine):
         some = mine.table.only("what", "contradict")
         rows.plot(some[X], some[Y], markevery=20, **figures.MINE)
     ratio.set(xscale="log", yscale="log", xlabel="mass ratio, the heavy body on top", ylabel="sweeps to 1e-6")
-    rows.set(xlabel="sweeps", ylabel="impulse of the first of two rows [N s]", title="asked for 1 and for 2 m/s at once")
+    rows.set(xlabel="sweeps", ylabel="impulse of the first of two rows [N s]", title="two rows for 1 and 2 m/s at once")
     for axes in (ratio, rows):
         axes.legend()
         figures.tidy(axes)

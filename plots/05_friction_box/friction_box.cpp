@@ -108,11 +108,12 @@ Experiment experiment(Size size) {
         largest = std::max(largest, std::abs(value[n] / predicted[n] - 1));
       return largest;
     };
-    claims.at_most("the push that moves a block is μ m g/max(|cos φ|, |sin φ|) in every direction, to 1e-9",
-                   worst("push"), 1e-9);
+    claims.at_most(
+        "in the direction φ a block begins to move at a push of μ m g/max(|cos φ|, |sin φ|), to 1e-9",
+        worst("push"), 1e-9);
     claims.at_most("the distance to a stop is proportional to √(cos⁴φ + sin⁴φ), to 1e-4", worst("distance"),
                    1e-4);
-    claims.at_most("a block stays on a slope from μ = tan θ on, to 1e-8", worst("slope"), 1e-8);
+    claims.at_most("a block stays on a slope of angle θ from μ = tan θ on, to 1e-8", worst("slope"), 1e-8);
     const auto push = table.where("what", "push").numbers("value");
     claims.near("along a diagonal the box is √2 times as strong as along a tangent, to 1e-9",
                 *std::max_element(push.begin(), push.end()) / *std::min_element(push.begin(), push.end()),

@@ -112,20 +112,20 @@ Experiment experiment(Size size) {
     for (const int links : {10, 20, 40})
       worst = std::max(worst, std::abs(rate(links, 1) / predicted(links) - 1));
     claims.at_most(
-        "in a wire of N equal links each sweep multiplies the error by cos²(π/(2N)), to 1 per cent of its "
-        "logarithm",
+        "in a wire of N equal links each sweep multiplies the error by cos²(π/(2N)): the logarithms agree to 1 "
+        "per cent",
         worst, 0.01);
-    claims.near("twice the links take four times the sweeps: 4.0 ± 0.1 from 20 to 40",
+    claims.near("twice as many links need four times as many sweeps: 4.0 ± 0.1 times from 20 links to 40",
                 rate(20, 1) / rate(40, 1), 4, 0.1);
     const Table rubber = table.where("what", "stretch").where("links", 10).where("ratio", 100);
     claims.near(
-        "with too few sweeps a step, the stretch of ten links with a load of 100:1 is proportional to one over "
-        "the sweeps: slope -1.0 ± 0.1",
+        "with too few sweeps in a step, ten links with a load of 100:1 stretch in proportion to one over the "
+        "sweeps: slope -1.0 ± 0.1",
         log_log_slope({20, 200}, {rubber.where("sweeps", 20).number("value"),
                                   rubber.where("sweeps", 200).number("value")}),
         -1, 0.1);
     claims.near(
-        "with a load of 100:1 on ten links each sweep takes the part m/((N-1) M) from the error, Eq. (6.12), "
+        "with a load of 100:1 on ten links each sweep removes the part m/((N-1) M) of the error, Eq. (6.12), "
         "to 5 per cent",
         rate(10, 100) * 9 * 100, 1, 0.05);
   };

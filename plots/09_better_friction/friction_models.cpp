@@ -188,22 +188,23 @@ Experiment experiment(Size size) {
       return largest;
     };
     claims.at_most(
-        "the cone, and the box on sliding tangents, have the same strength in every direction, to 1e-9",
+        "the cone has the same strength in every direction, to 1e-9, and so has the box on sliding tangents",
         all("push", {Model::cone, Model::sliding_box}), 1e-9);
-    claims.at_most("with both a block stops after v0²/(2μg) in every direction, to 1e-4",
+    claims.at_most("with either of them a block stops after v0²/(2μg) in every direction, to 1e-4",
                    all("distance", {Model::cone, Model::sliding_box}), 1e-4);
     claims.at_most("two passes have the strength of the box, Eq. (5.12), to 1e-9",
                    all("push", {Model::box, Model::two_pass}), 1e-9);
-    claims.at_most("a stack stays on a slope from μ = tan θ on with two passes and with the cone, to 1e-6",
-                   all("stack", {Model::two_pass, Model::cone}), 1e-6);
+    claims.at_most(
+        "with two passes or the cone, a stack stays on a slope of angle θ from μ = tan θ on, to 1e-6",
+        all("stack", {Model::two_pass, Model::cone}), 1e-6);
     claims.at_most("with the box's estimate a stack of n spheres needs μ = max(n, 2(n-1)) tan θ, to 1e-6",
                    all("stack", {Model::box, Model::sliding_box}), 1e-6);
     const auto stops = [&](Model model) {
       return table.where("what", "spin").where("model", name(model)).numbers("at").back();
     };
-    claims.near("a spinning disc stops after 3Rω0/(4μg) with the cone, to 1 per cent", stops(Model::cone), 1,
+    claims.near("with the cone a spinning disc stops after 3Rω0/(4μg), to 1 per cent", stops(Model::cone), 1,
                 0.01);
-    claims.near("with the box after π/4 of that time, to 1 per cent",
+    claims.near("with the box it stops after π/4 of that time, to 1 per cent",
                 stops(Model::box) / (std::numbers::pi / 4), 1, 0.01);
   };
   return e;

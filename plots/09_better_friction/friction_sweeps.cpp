@@ -147,26 +147,27 @@ Experiment experiment(Size size) {
       }
     }
     claims.at_most(
-        "for a sliding rod with ρ = ±0.75 in Eq. (9.8), each sweep multiplies the error by 0.75, within 1e-6",
-        off, 1e-6);
+        "for a sliding rod with ρ = ±0.75 in Eq. (9.8), each sweep multiplies the error by 0.75, to 1e-6", off,
+        1e-6);
     const auto round = values("rod", "cone -1.5");
-    claims.near("with ρ = -1.5 the cone's sweeps do not converge: the thousandth changes as much as the first",
-                round.back() / round.front(), 1, 1e-9);
-    claims.at_most("the second of two passes converges in 3 sweeps there",
+    claims.near(
+        "with ρ = -1.5 the sweeps on cones do not converge: the thousandth sweep changes as much as the first",
+        round.back() / round.front(), 1, 1e-9);
+    claims.at_most("with ρ = -1.5 the second of two passes converges in 3 sweeps",
                    static_cast<double>(values("rod", "two passes -1.5").size()), 3);
     const auto five = [&](Model model) { return values("five", name(model)).front(); };
     const double right = std::numbers::sqrt2 - 1;
-    claims.near("five balls in a pyramid stand from μ = tan 22.5° = 0.414 on with the cone, to 1e-3",
+    claims.near("with the cone five balls in a pyramid stand from μ = tan 22.5° = 0.414 on, to 1e-3",
                 five(Model::cone) / right, 1, 1e-3);
-    claims.near("with two passes they stand from 0.366 on, to 1e-3",
+    claims.near("with two passes they stand from μ = 0.366 on, to 1e-3",
                 five(Model::two_pass) / (right * 5 / (4 * std::numbers::sqrt2)), 1, 1e-3);
-    claims.near("with the box from 0.293 on, to 1e-3", five(Model::box) / (right / std::numbers::sqrt2), 1,
-                1e-3);
-    claims.at_most("thirty balls with μ = 1, solved on cones from zero, are at rest, to 1e-8 m/s",
+    claims.near("with the box they stand from μ = 0.293 on, to 1e-3",
+                five(Model::box) / (right / std::numbers::sqrt2), 1, 1e-3);
+    claims.at_most("thirty balls with μ = 1 are at rest, to 1e-8 m/s, if a solve on cones starts from zero",
                    values("answers", "from zero speed").front(), 1e-8);
-    claims.at_least("solved from the answer of two passes, some of them move at more than 1 cm/s",
+    claims.at_least("if it starts from the answer of two passes, some of them move at more than 1 cm/s",
                     values("answers", "from two passes speed").front(), 1e-2);
-    claims.at_most("both answers solve Coulomb's law to 1e-9 m/s",
+    claims.at_most("both answers satisfy Coulomb's law, to 1e-9 m/s",
                    std::max(values("answers", "from zero residual").front(),
                             values("answers", "from two passes residual").front()),
                    1e-9);

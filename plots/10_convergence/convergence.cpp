@@ -342,26 +342,30 @@ void check(const Table& table, Claims& claims) {
   for (const char* scene : {"stack", "wire"})
     for (const char* order : {"given", "down"})
       worst = std::max(worst, std::abs(rate(scene, order) / rate(scene, "up") - 1));
-  claims.at_most("in a stack and in a wire every fixed order has the same rate, to 1 per cent of its logarithm",
-                 worst, 0.01);
+  claims.at_most(
+      "in a stack and in a wire every fixed order converges at the same rate: the logarithms agree to 1 per "
+      "cent",
+      worst, 0.01);
   claims.near("from λ = 0 a sweep up a stack leaves half the residual of a sweep down",
               residual_at(table, "stack", "up", 1) / residual_at(table, "stack", "down", 1), 0.5, 0.01);
-  claims.near("after 1024 sweeps both residuals are the same, to 2 per cent",
+  claims.near("after 1024 sweeps both orders leave the same residual, to 2 per cent",
               residual_at(table, "stack", "up", 1024) / residual_at(table, "stack", "down", 1024), 1, 0.02);
-  claims.near("with a new random order for each sweep, the stack needs 1.25 ± 0.1 times as many sweeps",
+  claims.near("with a new random order in each sweep, the stack needs 1.25 ± 0.1 times as many sweeps",
               rate("stack", "up") / rate("stack", "random"), 1.25, 0.1);
   double fixed = infinity;
   for (const char* order : {"given", "up", "down"})
     fixed = std::min(fixed, residual_at(table, "wall", order, 512));
-  claims.at_most("but after 512 sweeps of the wall it leaves at most half the residual of the best fixed order",
-                 residual_at(table, "wall", "random", 512) / fixed, 0.5);
+  claims.at_most(
+      "after 512 sweeps of the wall a random order leaves at most half the residual of the best fixed order",
+      residual_at(table, "wall", "random", 512) / fixed, 0.5);
   double first = 0;
   for (const char* scene : {"stack", "wire", "pile", "wall"})
     first = std::max(first, residual_at(table, scene, "warm", 1));
-  claims.at_most("a start with 99 per cent of the answer has at most 1.1 per cent of the residual", first,
-                 0.011);
+  claims.at_most("a start from 99 per cent of the answer begins with at most 1.1 per cent of the residual",
+                 first, 0.011);
   claims.at_most(
-      "conjugate gradients solve the stack to 1e-6 for the cost of at most 160 sweeps, and the wire for 80",
+      "conjugate gradients solve the stack to 1e-6 for the cost of at most 160 sweeps, and the wire for the "
+      "cost of 80",
       std::max(cost_to(table, "stack", "conjugate", 1e-6), 2 * cost_to(table, "wire", "conjugate", 1e-6)), 160);
   const auto ratio = [&](const std::string& scene, double goal) {
     return cost_to(table, scene, "conjugate", goal) / cost_to(table, scene, "up", goal);

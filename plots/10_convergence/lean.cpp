@@ -115,8 +115,9 @@ void check(const Table& table, Claims& claims) {
   claims.near("in the order down it leans by 1.3° ± 0.1° to the other side", to_the_corner("down"), 1.3, 0.1);
   claims.at_most("with a new random order in each step it leans by less than 0.4°",
                  mean_of("random step", "tilt"), 0.4);
-  claims.at_most("with a new one in each sweep, by less than 0.2°", mean_of("random sweep", "tilt"), 0.2);
-  claims.at_most("then it prefers no side: the mean is below 0.03°",
+  claims.at_most("with a new random order in each sweep it leans by less than 0.2°",
+                 mean_of("random sweep", "tilt"), 0.2);
+  claims.at_most("then it prefers no side: the mean tilt is below 0.03°",
                  std::hypot(mean_of("random sweep", "x"), mean_of("random sweep", "y")), 0.03);
   claims.near("but then it sinks 1.5 ± 0.1 times as far as in the order up",
               mean_of("random sweep", "sunk") / mean_of("up", "sunk"), 1.5, 0.1);

@@ -101,35 +101,36 @@ void check(const Table& table, Claims& claims) {
   const auto slope = [&](const std::string& method) {
     return log_log_slope({16, 64}, {error("wire", method, 16), error("wire", method, 64)});
   };
-  claims.near("with n sweeps in a step the wire's error is proportional to 1/n: slope -1.0 ± 0.1",
+  claims.near("with n sweeps in a step the error of the wire is proportional to 1/n: slope -1.0 ± 0.1",
               slope("sweeps"), -1, 0.1);
-  claims.near("with n substeps of a sweep each, to 1/n²: slope -2.0 ± 0.05", slope("substeps"), -2, 0.05);
-  claims.near("with 64 of either the substeps' error is 60 ± 5 times smaller",
+  claims.near("with n substeps of one sweep each it is proportional to 1/n²: slope -2.0 ± 0.05",
+              slope("substeps"), -2, 0.05);
+  claims.near("64 substeps leave an error 60 ± 5 times smaller than 64 sweeps",
               error("wire", "sweeps", 64) / error("wire", "substeps", 64), 60, 5);
-  claims.at_most("a warm stack is right with 16 sweeps, to 1e-6 of a link", error("stack", "warm sweeps", 16),
-                 1e-6);
-  claims.at_least("with 8 it hops, with an error above 1e-3", error("stack", "warm sweeps", 8), 1e-3);
-  claims.near("Eq. (10.12) requires at least 11.6 ± 0.1",
+  claims.at_most("with 16 warm sweeps the error of the stack is at most 1e-6",
+                 error("stack", "warm sweeps", 16), 1e-6);
+  claims.at_least("with 8 warm sweeps the stack hops, with an error above 1e-3",
+                  error("stack", "warm sweeps", 8), 1e-3);
+  claims.near("for the stack Eq. (10.12) requires at least 11.6 ± 0.1 sweeps",
               table.where("scene", "stack").where("method", "needed").number("updates"), 11.6, 0.1);
-  claims.at_least(
-      "a warm wire is lost with 128 sweeps: its links turn over, with errors above half their length",
-      error("wire", "warm sweeps", 128), 0.5);
-  claims.at_most("with 512 it is right, to 1e-9 of a link", error("wire", "warm sweeps", 512), 1e-9);
-  claims.near("Eq. (10.12) requires at least 264 ± 5",
+  claims.at_least("with 128 warm sweeps the links of the wire turn over, with errors above 0.5",
+                  error("wire", "warm sweeps", 128), 0.5);
+  claims.at_most("with 512 warm sweeps the error of the wire is at most 1e-9",
+                 error("wire", "warm sweeps", 512), 1e-9);
+  claims.near("for the wire Eq. (10.12) requires at least 264 ± 5 sweeps",
               table.where("scene", "wire").where("method", "needed").number("updates"), 264, 5);
-  claims.at_most(
-      "XPBD with positions equals a sweep of rows with b = 1 and d = 3/4, to 1e-11 of a link's length",
-      std::max(error("wire", "positions", 16), error("stack", "positions", 16)), 1e-11);
+  claims.at_most("XPBD with positions equals a sweep of rows with b = 1 and d = 3/4, to 1e-11",
+                 std::max(error("wire", "positions", 16), error("stack", "positions", 16)), 1e-11);
   const auto stiffer = [&](const std::string& scene) {
     return error(scene, "substeps", 64) / error(scene, "XPBD", 64);
   };
-  claims.near("by Eq. (10.13) it makes the wire 13/4 ± 0.1 times as stiff as substeps with d = 3",
+  claims.near("by Eq. (10.13) XPBD makes the wire 13/4 ± 0.1 times as stiff as substeps with d = 3",
               stiffer("wire"), 3.25, 0.1);
-  claims.near("the same holds for the stack", stiffer("stack"), 3.25, 0.1);
+  claims.near("it makes the stack 13/4 ± 0.1 times as stiff, too", stiffer("stack"), 3.25, 0.1);
   claims.near(
-      "with 32 updates the error of the stack is 4.8 ± 0.2 times smaller by relaxed substeps than by warm ones",
+      "with 32 updates relaxed substeps leave the stack an error 4.8 ± 0.2 times smaller than warm ones",
       error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 4.8, 0.2);
-  claims.at_least("by XPBD it is smaller than by either",
+  claims.at_least("with 32 updates XPBD leaves the stack a smaller error than either",
                   error("stack", "relaxed substeps", 32) / error("stack", "XPBD", 32), 1);
   claims.at_least("with 64 updates the wire is lost by relaxed substeps, as by warm ones",
                   error("wire", "relaxed substeps", 64), 0.5);

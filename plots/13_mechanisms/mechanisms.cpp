@@ -74,7 +74,7 @@ Experiment experiment(Size size) {
     const auto at_end = [&](const std::string& which, double h) {
       return table.where("what", which).where("h [s]", h).numbers("value").back();
     };
-    claims.near("with the second term the angular momentum of rod and bead stays the same, to 1e-11",
+    claims.near("with the second term the angular momentum of rod and bead stays constant, to 1e-11",
                 at_end("with", 1e-3), 1, 1e-11);
     const double r = r0 * std::cosh(spin * end);
     const double predicted = (inertia + mass * r * r) / (inertia + mass * r0 * r0);
@@ -82,7 +82,7 @@ Experiment experiment(Size size) {
         "without it the rod turns on as fast as before: after 0.6 s the angular momentum is 1.99 ± 0.01 times "
         "as large",
         at_end("without", 1e-4), predicted, 0.005);
-    claims.near("a ten times smaller step changes that by less than 3 per cent",
+    claims.near("a ten times smaller step changes this factor by less than 3 per cent",
                 at_end("without", 1e-3) / at_end("without", 1e-4), 1, 0.03);
     for (const std::string& name : scenes_of_order_two) {
       const Table some = table.where("what", name);

@@ -281,41 +281,40 @@ Experiment experiment(Size size) {
     const std::vector<double> blocks = of_rod("blocks");
     claims.at_most("as a block the rod is solved by one update for any μ: the second sweep changes nothing",
                    *std::max_element(blocks.begin(), blocks.end()), 2);
-    claims.at_least("row by row it takes more than 50 sweeps at μ = 1", value("rod", "rows", 1), 50);
-    claims.at_least("at μ = 3/2 and more it does not converge", value("rod", "rows", 1.5), 1000);
+    claims.at_least("row by row the rod takes more than 50 sweeps at μ = 1", value("rod", "rows", 1), 50);
+    claims.at_least("row by row it does not converge at μ = 3/2 and more", value("rod", "rows", 1.5), 1000);
     const auto fewer = [&, most = double(fair.max_sweeps)](const std::string& name) {
       const double rows = value("sweeps", name, 0), together = value("sweeps", name, 1);
       return rows < most && together < most ? together / rows : std::nan("");
     };
-    claims.near("on a block of balls they need as many sweeps as rows do, to 2 per cent", fewer("balls"), 1,
+    claims.near("on a grid of balls, blocks need as many sweeps as rows, to 2 per cent", fewer("balls"), 1,
                 0.02);
-    claims.near("the same holds on a tower of boxes, to 2 per cent", fewer("tower"), 1, 0.02);
+    claims.near("on a tower of boxes they need as many sweeps, too, to 2 per cent", fewer("tower"), 1, 0.02);
     claims.at_most("on boxes that lean and slide they need less than half as many", fewer("leaning boxes"),
                    0.5);
     claims.near(
-        "if the rows of each contact are updated three times before the next contact, the rod at μ = 1 needs "
-        "as many updates as row by "
-        "row, within 10 per cent",
+        "if a contact's rows are updated three times before the next contact, the rod at μ = 1 needs as many "
+        "updates as row by row, to 10 per cent",
         3 * value("rod", "repeats", 1) / value("rod", "rows", 1), 1, 0.1);
-    claims.at_least("the boxes that lean need more",
+    claims.at_least("if updated three times in this way, the boxes that lean need more updates than row by row",
                     3 * value("sweeps", "leaning boxes", 3) / value("sweeps", "leaning boxes", 0), 1.1);
     const std::string large = std::to_string(across.back() * across.back() * across.back()) + " balls";
-    claims.near("a block of balls has six colours, whatever its size: a ball has six neighbours",
+    claims.near("a cubic grid of balls has six colours, whatever its size",
                 std::max(value("colours", large), value("colours", "64 balls")), 6, 0);
     claims.near(
-        "by colour the longest chain of dependent updates is 18, of six pairs with three rows each, in the "
-        "smallest block and in the largest",
+        "by colour the longest chain of dependent updates is 18, in the smallest grid and in the largest",
         std::max(value("by colour", large), value("by colour", "64 balls")), 18, 0);
-    claims.at_least("in the order of the pairs it is four times as long with 64 balls",
+    claims.at_least("in the order of the pairs the chain of 64 balls is at least four times as long",
                     value("in order", "64 balls") / value("by colour", "64 balls"), 4);
     claims.near("in a tower every update depends on the one before",
                 value("in order", "tower of 20") / value("rows", "tower of 20"), 1, 0);
-    claims.near("if the updates of two halves alternate, the chain is half as long",
+    claims.near("if the updates of two halves of the tower alternate, the chain is half as long",
                 value("in turn", "tower of 20") / value("in order", "tower of 20"), 0.5, 0);
     claims.at_least("512 balls fill more than 99 per cent of the lanes", value("filled", "512 balls"), 0.99);
-    claims.at_least("eight threads could be more than 7 times as fast on them",
+    claims.at_least("on 512 balls eight threads could be more than 7 times as fast as one",
                     value("threads", "512 balls", 8), 7);
-    claims.at_most("and on a tower of 20 no more than 3 times", value("threads", "tower of 20", 8), 3);
+    claims.at_most("on a tower of 20 they could be no more than 3 times as fast",
+                   value("threads", "tower of 20", 8), 3);
     claims.near("an update has 0.23 ± 0.01 operations for each byte of its row", operations / bytes, 0.23,
                 0.01);
   };

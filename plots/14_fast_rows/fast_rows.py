@@ -31,7 +31,7 @@ def draw(data, mine):
                                                       ("by colour", "chain, by colour"))):
         heights = [data.table.only("what", which).only("case", name)["value"][0] for name in names]
         chains.plot(range(len(names)), heights, color=style["color"], marker=style["marker"], linestyle="", label=label)
-    chains.set(title="Who waits for whom", ylabel="updates", yscale="log", ylim=(5, 1e6), xticks=range(len(names)),
+    chains.set(title="Longest chain of updates", ylabel="updates", yscale="log", ylim=(5, 1e6), xticks=range(len(names)),
                xlim=(-0.5, len(names) - 0.5))
     chains.set_xticklabels(names, fontsize=7, rotation=15)
     chains.legend(loc="upper left", fontsize=8)

@@ -7,7 +7,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
 TITLE = "A link or a ball costs more only when a scene leaves the cache"
-WAYS = {"as given": "sweeps in the given order", "stripes": "in stripes", "two threads": "in stripes, two threads"}
+WAYS = {"as given": "sweeps in the given order", "spatial_decomposition": "in stripes",
+        "two threads": "in stripes, two threads"}
 
 
 def draw(data, mine):

@@ -1,6 +1,6 @@
 // Soft steps of large structures: operations for each cube of larger and larger fields, and pyramids that stand.
 //
-//   updates     row updates in a step, for each cube of a field of pyramids with ten cubes in the lowest course
+//   updates     row updates in a step, for each cube of a field of pyramids with ten cubes in the lowest layer
 //   pairs       pairs that the search looks at in a step, for each cube
 //   contacts    contacts for each cube
 //   sunk        depth of the top of a pyramid after 1,000 steps [m]
@@ -88,16 +88,16 @@ Experiment experiment(Size size) {
     const auto growth = [&](const std::string& what) { return of(what).back() / of(what).front(); };
     claims.near("in the largest field a step makes as many row updates for each cube as in the smallest",
                 growth("updates"), 1, 0.01);
-    claims.at_most("the search looks at no more than a tenth more pairs for each cube", growth("pairs"), 1.1);
+    claims.at_most("the search examines at most 1.1 times as many pairs for each cube", growth("pairs"), 1.1);
     double sunk = 0, sideways = 0, fastest = 0;
     const std::vector<double> pyramids = of("sunk"), towers = of("tower");
     for (std::size_t k = 0; k < pyramids.size(); ++k) sunk = larger(sunk, pyramids[k] / towers[k]);
     for (const double way : of("sideways")) sideways = larger(sideways, way);
     for (const double speed : of("speed")) fastest = larger(fastest, speed);
-    claims.at_most("the top of no pyramid sinks farther than that of a tower as high", sunk, 1);
+    claims.at_most("no pyramid's top sinks farther than the top of a tower as high", sunk, 1);
     claims.at_most("no cube of a pyramid moves sideways by a twentieth of its side in 1,000 steps", sideways,
                    0.05);
-    claims.at_most("and at their end none moves by a centimetre a second", fastest, 0.01);
+    claims.at_most("after 1,000 steps no cube moves faster than a centimetre a second", fastest, 0.01);
   };
   return e;
 }

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Soft steps: what a cube costs, and whether pyramids stand"
+TITLE = "With soft steps a cube costs the same in any field, and pyramids stand"
 COUNTS = {"updates": "row updates", "pairs": "pairs looked at", "contacts": "contacts"}
 DEPTHS = {"tower": "a tower as high, (10.18)", "sunk": "a pyramid"}
 
@@ -21,8 +21,8 @@ def draw(data, mine):
                 own = mine.table.only("what", what)
                 part.plot(own["n"], own["value"], **figures.MINE)
         part.legend(fontsize=8)
-    axes[0].set(title="In a step, for each cube", xlabel="cubes", xscale="log", yscale="log", ylim=(1, 1e3))
-    axes[1].set(title="The top has sunk after 1,000 steps", xlabel="cubes in the lowest course", ylabel="m",
+    axes[0].set(title="work in a step, for each cube", xlabel="cubes", xscale="log", yscale="log", ylim=(1, 1e3))
+    axes[1].set(title="The top has sunk after 1,000 steps", xlabel="cubes in the lowest layer", ylabel="m",
                 xscale="log", yscale="log")
     for one in axes:
         figures.tidy(one)

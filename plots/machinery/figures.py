@@ -59,8 +59,12 @@ class Table:
     rows: list[list]
 
     def only(self, column: str, value) -> "Table":
+        """Returns the rows with this value. Throws LookupError if there is none: a curve without points is not seen."""
         k = self.columns.index(column)
-        return Table(self.columns, [row for row in self.rows if row[k] == value])
+        rows = [row for row in self.rows if row[k] == value]
+        if not rows:
+            raise LookupError(f"no row has {value!r} as {column!r}")
+        return Table(self.columns, rows)
 
     def __getitem__(self, column: str) -> list:
         k = self.columns.index(column)

@@ -96,8 +96,8 @@ void check(const Table& table, Claims& claims) {
     plain.push_back(order("leapfrog"));
     gains.push_back(of("leapfrog").numbers("error").front() / of("composed").numbers("error").front());
   }
-  claims.near("composed steps have order 4.0 ± 0.2 on every one of them", farthest(composed, 4), 4, 0.2);
-  claims.near("leapfrog with d = 1/4 has order 2.0 ± 0.1", farthest(plain, 2), 2, 0.1);
+  claims.near("composed steps have order 4.0 ± 0.2 on every mechanism", farthest(composed, 4), 4, 0.2);
+  claims.near("leapfrog with d = 1/4 has order 2.0 ± 0.1 on every mechanism", farthest(plain, 2), 2, 0.1);
   claims.at_least("five leapfrogs composed are more than 30 times as exact as five in a row",
                   *std::min_element(gains.begin(), gains.end()), 30);
 }

@@ -162,7 +162,7 @@ Experiment experiment(Size size) {
   }
   e.check = [](const Table& table, Claims& claims) {
     const Table row = table.where("model", "row").where("h", 1.0 / 60);
-    claims.at_most("with one row the error of the load is at most 2 per cent of the wire's length, at h = 1/60",
+    claims.at_most("with one row the error of the load is at most 2 per cent of the wire's length at h = 1/60",
                    row.number("error"), 0.02);
     const Table ten = table.where("model", "points").where("links", 10);
     const auto least = [](const Table& some) {
@@ -171,8 +171,9 @@ Experiment experiment(Size size) {
     };
     claims.between("for ten points the limit 2/ω is between steps of 1/240 and 1/1000", largest_step(10),
                    1.0 / 1000, 1.0 / 240);
-    claims.at_least("at 1/240 they are lost with any number of sweeps: the error exceeds the wire's length",
-                    least(ten.where("h", 1.0 / 240)), 1);
+    claims.at_least(
+        "at 1/240 the ten points are lost with any number of sweeps: the error exceeds the wire's length",
+        least(ten.where("h", 1.0 / 240)), 1);
     const Table fine = ten.where("h", 1.0 / 1000);
     claims.at_most("at 1/1000 their error is at most 1 per cent", least(fine), 0.01);
     double cheapest = std::numeric_limits<double>::infinity();
@@ -183,8 +184,8 @@ Experiment experiment(Size size) {
         if (errors[n] <= 0.02) cheapest = std::min(cheapest, updates[n]);
     }
     claims.at_least(
-        "the cheapest wire with an error of at most 2 per cent takes more than 1000 times the row updates of "
-        "the one row",
+        "the cheapest wire of points with an error of at most 2 per cent takes more than 1000 times the row "
+        "updates of the one row",
         cheapest / row.number("row updates a second"), 1000);
   };
   return e;

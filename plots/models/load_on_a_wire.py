@@ -41,7 +41,7 @@ def draw(data, mine):
     axes.annotate("lost: an error above the wire's length, however large", (4, LOST), xytext=(4, 4),
                   textcoords="offset points", fontsize=9)
     axes.set(xscale="log", yscale="log", xlim=(4, 4e8), ylim=(1e-4, TOP),
-             xlabel="row updates in a second of it", ylabel="error of the load's place, over the length")
+             xlabel="row updates for a second of motion", ylabel="error of the load's place, over the length")
     axes.set_yticks([10.0**power for power in range(-4, 1)])
     axes.yaxis.set_minor_locator(NullLocator())
     figures.tidy(axes)

@@ -28,8 +28,8 @@ def draw(data, mine):
         time.plot([us / step for us, step in zip(own["us a step"], own["h"])], own["error"], **figures.MINE)
         if any(own["row updates a second"]):
             updates.plot(own["row updates a second"], own["error"], **figures.MINE)
-    time.set(xlabel="time to compute a second of it [µs]", ylabel=f"error of {data.table['scene'][0]}, relative")
-    updates.set(xlabel="row updates in a second of it")
+    time.set(xlabel="computing time for a second of motion [µs]", ylabel=f"error of {data.table['scene'][0]}, relative")
+    updates.set(xlabel="row updates for a second of motion")
     for axes in (time, updates):
         axes.set(xscale="log", yscale="log")
         figures.tidy(axes)

@@ -55,7 +55,7 @@ class CoursePlot(unittest.TestCase):
 
     def test_it_checks_and_draws(self):
         said = self.plot("energy", "--quick")
-        self.assertIn("holds leapfrog's energy error falls with the square of the cost", said)
+        self.assertIn("holds the energy error of leapfrog falls with the second power of the cost", said)
         self.assertIn("figure: build/plots/energy/energy.png", said)
         self.assertEqual((self.box.root / "build/plots/energy/energy.png").read_bytes()[:4], b"\x89PNG")
         self.assertIn("figure: build/plots/energy/energy.pdf", self.plot("energy", "--quick", "--format", "pdf"))
@@ -67,7 +67,7 @@ class CoursePlot(unittest.TestCase):
         self.assertIn("Yours, right or wrong: 1.1; the rest is the reference.", with_mine)
         self.assertNotEqual((self.box.root / "build/plots/energy/energy.svg").read_text(), alone)
         self.box.file(self.kick).write_text(STILL)
-        self.assertIn("FALSE leapfrog's energy error", self.plot("energy", "--quick", "--mine"))
+        self.assertIn("FALSE the energy error of leapfrog", self.plot("energy", "--quick", "--mine"))
 
     def test_it_takes_a_scene_from_a_file_that_has_an_answer(self):
         text = {"format": "spook scene", "version": 2, "model": "point", "h": "1/60", "time": 1, "half_step_start": True,
@@ -153,7 +153,7 @@ class CoursePlot(unittest.TestCase):
         self.assertIn('slope("RK4"), -4, 0.2', text)
         source.write_text(text.replace('slope("RK4"), -4, 0.2', 'slope("RK4"), -5, 0.2'))
         try:
-            self.assertIn("FALSE RK4's with the fourth power", self.plot("energy", "--quick", code=1))
+            self.assertIn("FALSE that of RK4 falls with the fourth power", self.plot("energy", "--quick", code=1))
         finally:
             source.write_text(text)
 

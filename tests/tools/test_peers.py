@@ -57,7 +57,7 @@ class Peers(unittest.TestCase):
                 tree.setting.side_effect = {"SPOOK_PEERS": "ON", "SPOOK_PEERS_FOUND": "python3"}.get
                 peers.require()
                 tree.configure.assert_not_called()
-            self.assertIn(f"Without {need.package}:", said.getvalue())
+            self.assertIn(f"Not compared, since not installed: {need.package}.", said.getvalue())
 
     def test_with_mine_it_says_that_there_is_none(self):
         done = subprocess.run([str(ROOT / "course"), "plot", "peers", "--mine"], capture_output=True, text=True)
