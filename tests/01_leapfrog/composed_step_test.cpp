@@ -74,15 +74,15 @@ EXERCISE_TEST(ComposedStep, IsExactInFreeFall) {
     const double squares = 2 * pairs * w * w + w0 * w0;
     const double late = -g * h * h * 10 * squares / 2;  // ½ g Σ (part)²
     expect_near(
-        "height 1 s after a fall from rest, pairs = " + show(pairs) + " [m]", "Eq. (1.11)", p.x[0].z(), -g / 2,
-        roundings(200, 20),
+        "height after falling from rest for 1 s, pairs = " + show(pairs) + " [m]", "Eq. (1.11)", p.x[0].z(),
+        -g / 2, roundings(200, 20),
         {{-g / 2 + late,
           "Each part kicks and then drifts all the way: here v is of the time of x, so half the drift "
           "comes before the kick."},
          {-g / 2 - late, "Each part drifts all the way and then kicks: half the drift comes after the kick."},
          {-mass * g / 2, "This is m times too much: the inverse mass has not been used."}},
         "With a constant force (1.11) is exact, and so is any composition of it.");
-    expect_near("its speed then [m/s]", "Eq. (1.11)", p.v[0].z(), -g, roundings(200, 20), {},
+    expect_near("v_z after falling for 1 s [m/s]", "Eq. (1.11)", p.v[0].z(), -g, roundings(200, 20), {},
                 "The kicks of all parts must add up to h f/m.");
   }
 }

@@ -37,10 +37,10 @@ EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
         "The turns were multiplied from the left, as if e_c were an axis of the world. A turn about the body's "
         "axis stands right of q."},
        {{2 * right[0], 2 * right[1], right[2]},
-        "Axes 1 and 2 turn by two whole steps: each of their turns is half a step."},
+        "Axes 1 and 2 have turned by two whole steps: turn each time by h/2."},
        {{right[0] / 2, right[1] / 2, right[2]},
         "Axes 1 and 2 turn by half a step only: the way back is missing."},
-       {{right[0], right[1], right[2] / 2}, "Axis 3 turns only once, so it takes the whole step."},
+       {{right[0], right[1], right[2] / 2}, "Axis 3 has turned by h/2 only. It has one turn, so turn by h."},
        {{right[0], right[1], 2 * right[2]}, "Axis 3 turns by two steps: once is enough, in the middle."}},
       "Axis c turns by h L_c/I_c in total. Does every angle contain h and I_c?");
 }

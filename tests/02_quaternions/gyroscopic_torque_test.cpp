@@ -107,7 +107,7 @@ EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {
 EXERCISE_TEST(GyroscopicTorque, GrowsWithTheSquareOfOmega) {
   const FreeTop b;
   const Vec3 once = gyroscopic_torque(b.inertia, b.omega);
-  expect_near_vector<Vec3>("torque at -3 ω, for one of 9 τ(ω) [N m]", "Eq. (2.9)",
+  expect_near_vector<Vec3>("torque at -3 ω, which must be 9 τ(ω) [N m]", "Eq. (2.9)",
                            gyroscopic_torque(b.inertia, -3 * b.omega), 9 * once, roundings(64, 400), {},
                            "Eq. (2.9) has ω twice, so the sign of ω does not matter.");
 }

@@ -91,7 +91,7 @@ EXERCISE_TEST(QuaternionRate, GrowsWithOmega) {
   const Vec4 once = coefficients(quaternion_rate(b.q, b.omega));
   const Vec4 thrice = coefficients(quaternion_rate(b.q, 3 * b.omega));
   expect_near_vector<Vec4>(
-      "q' at 3 ω, for one of 3 q'(ω) [1/s]", "Eq. (2.3)", thrice, 3 * once, roundings(32, 6),
+      "q' at 3 ω, which must be 3 q'(ω) [1/s]", "Eq. (2.3)", thrice, 3 * once, roundings(32, 6),
       {{once, "This does not depend on |ω|: do not normalise the rate."}}, "Eq. (2.3) is linear in ω.");
   expect_near_vector<Vec4>("q' of a body at rest [1/s]", "Eq. (2.3)",
                            coefficients(quaternion_rate(b.q, Vec3::Zero())), Vec4::Zero(), {0, "exact"}, {},

@@ -63,7 +63,7 @@ EXERCISE_TEST(GyroscopicTorque, AddsEnergyInAnExplicitStep) {
     body.step(h, alpha);
   }
   const double gain = energy() - before;
-  expect_near("energy gained over 100 explicit steps, for one of Σ ½ h² τ·I⁻¹τ", "Eq. (2.9)", gain / expected,
+  expect_near("energy gained over 100 explicit steps, divided by Σ ½ h² τ·I⁻¹τ", "Eq. (2.9)", gain / expected,
               1, roundings(16 * 100, before / expected), {},
               "A torque that does no work leaves only the second-order term, which is positive at every step.");
   expect_at_least("this gain, relative to the energy", "Eq. (2.9)", gain / before, 1e-4,

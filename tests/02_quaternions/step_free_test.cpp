@@ -140,7 +140,7 @@ EXERCISE_TEST(StepFree, TurnsNoPointMass) {
     all.bodies[0].omega = omega;
     const Quat before = all.bodies[0].q;
     step_free(all, 0.1);
-    expect_true("orientation of a point mass stays as it was", "Eq. (2.11)",
+    expect_true("q and ω of a point mass stay as they were", "Eq. (2.11)",
                 all.bodies[0].q.coeffs() == before.coeffs() && all.bodies[0].omega == omega,
                 "A point mass has moments of zero, so I⁻¹ would be infinite. Leave out its rotation.");
   }

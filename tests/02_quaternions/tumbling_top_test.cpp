@@ -89,10 +89,8 @@ EXERCISE_TEST(FreeRotation, KeepsEnergyInItsBandFor1e5Steps) {
   expect_at_most("the same over 1e5 steps", "Eq. (2.11)", all, 1.05 * early + 1e5 * 16 * 2.3e-16,
                  "the band does not widen; 5 % for where the steps fall, and 1e5 steps of 16 roundings",
                  "The energy of a reversible step oscillates, but does not grow.");
-  expect_near("number of times that it tumbled over in 1e4 s", "Eq. (2.12)", tumbles, 1e4 / period,
-              {5, "2 %, the effect of an error of a few (hω)² in the period"}, {},
-              "It tumbles once in each "
-              "period of 39.1 s.");
+  expect_near("number of whole periods, of two tumbles each, in 1e4 s", "Eq. (2.12)", tumbles, 1e4 / period,
+              {5, "2 %, the effect of an error of a few (hω)² in the period"}, {}, "One period takes 39.1 s.");
 }
 
 }  // namespace

@@ -183,7 +183,8 @@ EXERCISE_TEST(UpdateExponential, TurnsFromAnyOrientation) {
         "q after h = " + show(h) + " s at " + show(speed) + " rad/s (w, x, y, z)", "Eq. (2.6)",
         update_exponential(q, speed * axis, h), turned, roundings(32),
         {{turn_about(axis, -h * speed) * q, "It turned the other way."},
-         {q * turn_about(axis, h * speed), "The turn stands left of q: ω is in world coordinates."}},
+         {q * turn_about(axis, h * speed),
+          "This is the turn on the right of q. Multiply it from the left: ω is in world coordinates."}},
         "The turn by h|ω| about ω, from any q: w may have either sign.");
   }
 }

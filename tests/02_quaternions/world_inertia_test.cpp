@@ -126,9 +126,8 @@ EXERCISE_TEST(WorldInertia, TakesMomentsInAnyOrder) {
 EXERCISE_TEST(WorldInertia, KeepsThePrincipalMoments) {
   const TurnedBody b;
   const Mat3 got = world_inertia(b.q, b.principal);
-  expect_near("largest difference between the matrix and its transpose [kg m²]", "Eq. (2.7)",
-              (got - got.transpose()).cwiseAbs().sum(), 0, roundings(64, 5), {},
-              "An inertia is symmetric, in any coordinates.");
+  expect_near("sum of |I - Iᵀ| over all entries [kg m²]", "Eq. (2.7)", (got - got.transpose()).cwiseAbs().sum(),
+              0, roundings(64, 5), {}, "An inertia is symmetric, in any coordinates.");
   expect_near("trace [kg m²]", "Eq. (2.7)", got.trace(), b.principal.sum(), roundings(64, 5), {},
               "Turning keeps the trace, I1 + I2 + I3.");
   const Vec3 moments = eigenvalues(got);  // smallest first, as ours are

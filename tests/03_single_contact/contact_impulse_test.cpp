@@ -139,7 +139,8 @@ EXERCISE_TEST(ContactImpulse, KeepsANaN) {
   const SpookParameters spook = {.a = 1, .b = 1, .Sigma = 0};
   expect_true("a gap that is NaN gives a λ that is NaN", "Eq. (3.11)",
               std::isnan(contact_impulse(spook, 1, std::nan(""), 0, 0)),
-              "std::max(0.0, NaN) is 0, so a NaN that should warn you becomes a contact at rest. std::max(NaN, "
+              "std::max(0.0, NaN) is 0, so a NaN that should warn you becomes λ = 0, a contact that lets go. "
+              "std::max(NaN, "
               "0.0), in this order, is NaN.");
 }
 

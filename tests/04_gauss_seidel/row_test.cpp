@@ -281,7 +281,7 @@ EXERCISE_TEST(MakeRow, DropsNothingSmall) {
                                        motion);
         expect_near("B, where the " + names[large] + " asks for 1 m/s and the " + names[small] + " for " +
                         show(part) + " m/s [m/s]",
-                    "Eq. (4.3)", row.B, 1 + part, roundings(4),
+                    "Eq. (4.4)", row.B, 1 + part, roundings(4),
                     {{1, "The small one is missing. " + small_is_dropped}}, small_is_dropped);
         if (::testing::Test::HasFailure()) return;
       }

@@ -20,7 +20,7 @@ void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", gathered(p.rows, &Row<6>::lambda),
                      enumerate_solution(problem),
                      {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
-                     "Every possible active set was tried, and this is the only solution.");
+                     "The expected λ is the only solution: the test has tried all active sets.");
 }
 
 EXERCISE_TEST(Solve, AgreesWithEveryEnumeratedContactProblem) {
@@ -55,7 +55,7 @@ EXERCISE_TEST(Solve, Needs13823SweepsFor1000To1) {
   const double slack = 1e-6 * 1e-8;  // roundings of 13,823 sweeps, against a step of 1e-3 between two sweeps
   expect_at_most("error of λ after 13,823 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
                  relative_error_after(13823, 1, 1000), 1e-6 + slack, "ln(1e6)/ln(1.001) = 13,822.4 sweeps",
-                 "The error falls by 1/1.001 a sweep. Does V keep its value from one sweep to the next?");
+                 "Each sweep divides the error by 1.001. Does V keep its value from one sweep to the next?");
   expect_at_least("error of λ after 13,822 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
                   relative_error_after(13822, 1, 1000), 1e-6 - slack, "one sweep fewer is not enough",
                   "This is faster than Gauss-Seidel can be. Was a sweep made but not counted?");
@@ -114,7 +114,7 @@ EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
   const std::size_t n = report.history.size();
   const bool stopped = report.converged && n > 2 && n < 1000;
   expect_true(
-      "of 1000 sweeps it made " + std::to_string(n) + ", and converged", "Eq. (4.9)", stopped,
+      "it converges in 3 to 999 sweeps; here it made " + std::to_string(n), "Eq. (4.9)", stopped,
       "A sweep that returns at most the tolerance is the last one, and `converged` says that there was one.");
   if (!stopped) return;
   expect_at_most("what the last sweep returned [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6,

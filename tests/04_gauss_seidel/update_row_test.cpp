@@ -143,10 +143,10 @@ EXERCISE_TEST(UpdateRow, StaysOffABoundThatIsNear) {
       row.hi = side < 0 ? 6 : infinity;
       std::vector<Twist<3>> V(2, Twist<3>::Zero());
       update_row(row, V);
-      expect_near(
-          "λ, less the bound of 6 N s, where it should be " + show(side * part) + " of that off it [N s]",
-          "Eq. (4.7)", row.lambda - 6, 6 * side * part, roundings(4, 6),
-          {{0, "It was set to the bound, which is near. A row close to its bound is free."}}, small_is_dropped);
+      expect_near("λ minus its bound of 6 N s; it should be " + show(side * part) + " of the bound [N s]",
+                  "Eq. (4.7)", row.lambda - 6, 6 * side * part, roundings(4, 6),
+                  {{0, "λ was set to the bound. If it is only close to the bound, leave it where it is."}},
+                  small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -213,7 +213,7 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
         expected, roundings(100, 5),
         {{wanted, "This has not been projected: use both of the row's bounds."},
          {old.lambda, old.lambda == old.lo || old.lambda == old.hi
-                          ? "λ stays at its bound. Where r points away from the bound, it leaves it."
+                          ? "λ has stayed at its bound. If r points away from the bound, λ must leave it."
                           : "λ has not changed. A λ outside its bounds must be projected."},
          {std::max(0.0, wanted), "This was projected on a contact's bounds. The row has bounds of its own."}},
         "λ + r/S_kk, projected on [lo, hi], from any λ.");

@@ -166,7 +166,7 @@ EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_friction(all, touching, h); },
-        "A function of this chapter refuses this: call it before you change anything.",
+        "A function that you call refuses this: call it before you change anything.",
         [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);

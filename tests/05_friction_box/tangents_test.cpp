@@ -127,7 +127,8 @@ EXERCISE_TEST(Tangents, HaveNoSingularDirection) {
       if (!(fixed.norm() > 0.1)) continue;  // too close to each other to give anything away
       for (const double sign : {1.0, -1.0})
         if (!holds_at(sign * fixed.normalized(), expect_frame,
-                      ". If every n is crossed with one and the same vector, it is along this n."))
+                      ". Do you cross every n with the same vector? That vector is along this n, so the "
+                      "product is 0."))
           return;
     }
   }

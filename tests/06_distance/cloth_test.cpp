@@ -222,7 +222,7 @@ bool joins_neighbours(const Net& net, const ClothInput& in) {
       "a link from " + name(found->i) + ", to " + name(found->j) + ", joins neighbours", "Eq. (6.11)", false,
       transposed   ? "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."
       : added == 0 ? "A link joins two different points."
-      : run_on     ? "The last point of a row is not joined to the first of the next row."
+      : run_on     ? "Here the last point of a row is joined to the first of the next row: leave that link out."
       : added == 1 ? "Such points do not exist."
                    : "b -> b + 1 adds cells_u + 1 to the index, the number of points in a row. Here it adds " +
                          std::to_string(added) + same_as + ".");
@@ -246,7 +246,8 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
          {2 * cells + in.cells_v, "The far edge at a = cells_u is there; the one at b = cells_v is missing."},
          {in.sides() + cells, "This is one more for each cell. Diagonals are not links."},
          {in.sides() + 2 * cells, "This is two more for each cell. Diagonals are not links."},
-         {in.sides() + in.cells_v + 0.0, "The last point of a row is not joined to the first of the next row."},
+         {in.sides() + in.cells_v + 0.0,
+          "Here the last point of a row is joined to the first of the next row: leave that link out."},
          {2.0 * in.sides(), "Each side has two links: one is enough."}},
         "cells_u (cells_v + 1) along u, (cells_u + 1) cells_v along v.");
     if (::testing::Test::HasFailure() || !joins_neighbours(net, in)) return;
@@ -254,8 +255,8 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
     for (const Link& link : net.links) ++count[std::minmax(link.i, link.j)];
     const auto expect_once = [&](int a, int b, int next_a, int next_b) {
       const int found = count[{in.index(a, b), in.index(next_a, next_b)}];
-      expect_true(std::to_string(found) + " links instead of one, from point " + in.name(a, b) + " to " +
-                      in.name(next_a, next_b),
+      expect_true("one link from point " + in.name(a, b) + " to " + in.name(next_a, next_b) + "; here " +
+                      std::to_string(found),
                   "Eq. (6.11)", found == 1,
                   found > 1 ? "Two cells that meet share a side." : "Every side of every cell is a link.");
     };
@@ -334,7 +335,7 @@ EXERCISE_TEST(Cloth, IsAtRestAsItLies) {
         0 <= link.i && link.i < in.points() && 0 <= link.j && link.j < in.points() && link.i != link.j;
     expect_true("a link from point " + std::to_string(link.i) + " to point " + std::to_string(link.j) + " of " +
                     std::to_string(in.points()),
-                "Eq. (6.11)", sound, "Such points do not exist.");
+                "Eq. (6.11)", sound, "A link joins two different points of the cloth.");
     if (!sound) return;
     const double distance =
         (net.x[static_cast<std::size_t>(link.j)] - net.x[static_cast<std::size_t>(link.i)]).norm();

@@ -24,8 +24,9 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
               {{-1, "The sign: g is the distance minus the length, positive when they are too far apart."},
                {5, "The length is missing: g is the distance minus the length."},
                {4.5, "This is half the difference of the squares. Its rate is not that of the distance."},
-               {9, "This is the difference of the squares. g is in metres."},
-               {1 - 2 * 4, "This is minus the sum: g is the distance minus the length."}},
+               {9,
+                "This is the sum of distance and length, or the difference of their squares. g is the distance "
+                "minus the length."}},
               "g = |p_j - p_i| - l.");
   const Vec3 n(0.6, 0, 0.8);
   const std::string reversed = "n goes from i's point to j's point. This one goes from j to i.";

@@ -90,7 +90,7 @@ EXERCISE_TEST(Rope, JoinsNeighbours) {
                  {in.length / (in.links + 1), "The rope is divided among its links, not among its points."},
                  {1, "A link has its own length, at rest as the rope lies."},
                  {0, "1/N of two integers is 0: divide doubles."}},
-                "The length is the distance of the two points, since the cloth is at rest as it lies.");
+                "The length is the distance of the two points, since the rope is at rest as it lies.");
   }
 }
 
@@ -165,8 +165,7 @@ EXERCISE_TEST(Rope, IsOfAnyLinksMassAndLength) {
                   "Point k is joined to point k + 1 by link k.");
       expect_near("length of link " + std::to_string(k) + " [m]", "Eq. (6.10)", joined.length, each,
                   roundings(32, size), {},
-                  "The length is the distance of the two points, since the cloth is at "
-                  "rest as it lies.");
+                  "The length is the distance of the two points, since the rope is at rest as it lies.");
     }
   }
 }

@@ -50,11 +50,12 @@ EXERCISE_TEST(StepJoints, HasItsStagesInOrder) {
        "p is in body coordinates. Eq. (6.1) converts it to world coordinates, r = q "
        "p."},
       {{.points_by_i = true}, "p_j has been turned by the q of body i. Each point turns with its own body."},
-      {{.pulls_only = true}, "A distance only pulls. It pushes, too: its λ has no bounds, Eq. (6.4)."},
+      {{.pulls_only = true}, "Here a distance only pulls. It must push, too: its λ has no bounds, Eq. (6.4)."},
       {{.counts_joints = true}, "N includes the joints of the two bodies. Only their contacts count."},
       {{.unjoined_only = true},
        "Contacts between two bodies that have a joint are missing. All contacts of the list have their rows."},
-      {{.length_ignored = true}, "Every joint is a ball joint: where length is more than 0 it is a distance."},
+      {{.length_ignored = true},
+       "Here every joint is a ball joint. If its length is above 0, it is a distance."},
       {{.without_friction = true}, "There is no friction. This is the step of chapter 05 with joints."}};
   for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
   std::vector<Mistake> mistakes = mistakes_of(all, contacts, h, wrong);
@@ -168,7 +169,8 @@ EXERCISE_TEST(StepJoints, IsOfSecondOrderOnAPendulum) {
     expect_order(rod ? "a point mass on a rod, error of its angle at t = 1 s [rad]"
                      : "a block on a ball joint, error of its angle at t = 1 s [rad]",
                  "Eq. (6.5)", error, 0.02, 3, 2, 0.1,
-                 "Order 1: rows use the positions before the step, and W half a step before them.");
+                 "Order 1 means that numbers of different times are mixed. Rows need the positions before the "
+                 "step, and W half a step earlier.");
   }
 }
 

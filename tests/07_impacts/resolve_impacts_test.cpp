@@ -271,7 +271,7 @@ EXERCISE_TEST(ResolveImpacts, TurnsASphereByFriction) {
       "Eq. (7.3), (7.9)", motion.W[1], rolls, roundings(64, 4),
       {{(Twist<6>() << 1, 0, 1, 0, 0, 0).finished(), "There was no friction: use the law's."},
        {(Twist<6>() << 0, 0, 1, 0, 2.5 / R, 0).finished(),
-        "K has no rotation: it is not that of a point mass."},
+        "Your K is that of a point mass: the part of the rotation is missing."},
        {(Twist<6>() << 5.0 / 7, 0, 0, 0, 5.0 / 7 / R, 0).finished(),
         "There was no restitution: use the law's."},
        {(Twist<6>() << 1, 0, -2, 0, 0, 0).finished(), "Nothing has happened."}},
@@ -341,7 +341,7 @@ EXERCISE_TEST(ResolveImpacts, CountsImpactsAndPasses) {
   Motion<3> closing = row_of_balls({2, 1, 0});  // the first two meet twice
   expect_near("impacts of three balls at 2, 1 and 0 m/s, the faster ones behind", "Eq. (7.13)",
               resolve_impacts(forwards, law, closing).impacts, 3, {0, "a count"},
-              {{2, "A contact with two impacts counts once. Count impacts, not contacts."}},
+              {{2, "The contact with two impacts was counted once. Count impacts, not contacts."}},
               "The first two balls meet again when the second has met the third.");
   expect_near("impacts of balls that separate", "Eq. (7.10)", none.impacts, 0, {0, "a count"});
   expect_near("passes over balls that separate", "Eq. (7.10)", none.passes, 1, {0, "a count"},

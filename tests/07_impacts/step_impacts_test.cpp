@@ -111,12 +111,13 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
           "After the impacts no contact has its rows. All contacts of the list have them, those that bounced, "
           "too."},
          {assembled(after_impacts(all, closed, h, law), contacts, h),
-          "Contacts with a gap above 0 have no impacts. resolve_impacts takes all of them, whatever their "
-          "gap."},
+          "The impacts of contacts with a gap above 0 are missing. resolve_impacts takes all contacts, "
+          "whatever their gap."},
          {assembled(after_impacts(all, unjoined, h, law), contacts, h),
-          "Two bodies that have a joint do not bounce. An impact ignores joints."},
+          "Impacts between bodies that have a joint are missing. An impact ignores joints."},
          {assembled(bounced, still_closing, h),
-          "Contacts that part after the impacts have no rows. Other rows may still close them: hand on all."},
+          "The contacts that part after the impacts are missing. Other rows may still close them: hand on "
+          "all."},
          {step_after(smooth), "The impacts have no friction: use the simulation's mu."},
          {step_after(eager), too_small},
          {step_after(vertical), too_small}},

@@ -177,8 +177,9 @@ EXERCISE_TEST(BallBall, FollowsAnyTwo) {
         Vec3(i.x + (i.radius + gap / 2) * n), roundings(256, size * 4 / std::min(1.0, distance)),
         {{Vec3(i.x + i.radius * n), "This is on i's surface: p is in the middle of the overlap."},
          {Vec3(i.x + distance / 2 * n), "This is in the middle between the centres, not of the overlap."}});
-    expect_true("i is " + std::to_string(found->i) + ", j is " + std::to_string(found->j), "Eq. (8.2)",
-                found->i == 1 && found->j == 0, "Keep the order of the bodies.");
+    expect_true(
+        "i = 1 and j = 0; here i = " + std::to_string(found->i) + " and j = " + std::to_string(found->j),
+        "Eq. (8.2)", found->i == 1 && found->j == 0, "Keep the order of the bodies.");
     if (!expect_common_point(*found, i.x, j.x)) return;
   }
 }

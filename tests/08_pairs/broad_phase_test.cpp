@@ -396,11 +396,10 @@ EXERCISE_TEST(SpatialHash, SeparatesBodiesOfZeroSize) {
   for (int k = 0; k < 6000; ++k)
     points.push_back(around(Vec3(0.5, 0.5, 0.5) + 1e-3 * random.vector(), Vec3::Zero()));
   const Bodies few(points.begin(), points.begin() + 750);
-  expect_slow_growth(
-      spatial_hash, "Eq. (8.13)", "points within a millimetre", few, points, as_many_bodies, why_as_many,
-      "A point has no size, and no cell is too small for it. In cells of a size that has nothing to do "
-      "with the points they are all in one, and so they are where the numbers of cells do not fit into their "
-      "type.");
+  expect_slow_growth(spatial_hash, "Eq. (8.13)", "points within a millimetre", few, points, as_many_bodies,
+                     why_as_many,
+                     "A point has no size, and no cell is too small for it. If the cell size is fixed, or if "
+                     "the numbers of cells do not fit into their type, all points are in one cell.");
 }
 
 EXERCISE_TEST(SpatialHash, StaysFastBesideAVeryLargeBody) {

@@ -102,11 +102,11 @@ bool expect_sound(const spook::SeparatingAxis& got, const Box& i, const Box& j) 
   const bool of_i = got.face_i >= 0, of_j = got.face_j >= 0, of_edges = got.edge_i >= 0 && got.edge_j >= 0;
   expect_true("face_i " + std::to_string(got.face_i) + ", face_j " + std::to_string(got.face_j) + ", edge_i " +
                   std::to_string(got.edge_i) + ", edge_j " + std::to_string(got.edge_j) +
-                  ": one face, or an edge of either, and -1 elsewhere",
+                  ": set one face, or an edge of each box; all others are -1",
               "Eq. (8.7)",
               of_i + of_j + of_edges == 1 && (of_edges || (got.edge_i == -1 && got.edge_j == -1)) &&
                   std::max({got.face_i, got.face_j, got.edge_i, got.edge_j}) <= 2,
-              "Which axis it was is what the contact points are made from.");
+              "box_box needs to know which axis it was.");
   if (::testing::Test::HasFailure()) return false;
   double off = 0;
   if (of_i) off = got.n.cross(i.axes.col(got.face_i)).norm();
@@ -316,7 +316,7 @@ EXERCISE_TEST(SeparatingAxis, MeetsEdgesThatAreNearlyParallel) {
               " m long, 0.02 m deep in each other where their edges cross at " + show(angle) + " rad";
     if (!expect_sound(got, i, j)) return;
     expect_near("g [m]", "Eq. (8.6), (8.7)", got.gap, -0.02, {1e-8, "roundings of the length of a rail"}, {},
-                "The edges cross at a small angle, and yet at one: a cross product is left out only where its "
+                "The edges are nearly parallel, but not quite: a cross product is left out only where its "
                 "length is "
                 "1e-6 or less.");
     if (::testing::Test::HasFailure()) return;

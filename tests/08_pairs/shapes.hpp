@@ -129,8 +129,8 @@ inline void expect_rate(const Contact& contact, const Drift& i, const Drift& j,
       G.Gi.dot(i.W()) + G.Gj.dot(j.W()), rate,
       {1e-6, "dt² times the third derivative of the gap, below 1e4 m/s³, and roundings of 10 m over dt"},
       {{-rate, "The sign: n points from i to j."}},
-      "With n and p right nothing is left out: what n turns is seen along n, where the turning of n counts "
-      "for nothing.");
+      "Check n, r_i and r_j. If they are right, the rotation of n does not change the rate of the gap, Eq. "
+      "(8.15).");
 }
 
 }  // namespace spook::testing

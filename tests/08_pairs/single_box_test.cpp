@@ -253,8 +253,8 @@ EXERCISE_TEST(BoxBall, MeetsAnyBoxFromOutside) {
                   {"beside an edge, apart", beside == 2 && !touch},
                   {"beside a corner, apart", beside == 3 && !touch}});
     given() = "given a ball of radius " + show(ball.radius) + " at " + show(ball.x) + " and " + describe(box);
-    expect_true("they have a contact: " + std::string(found ? "yes" : "no") + ", their distance less R is " +
-                    show(apart - ball.radius) + " m",
+    expect_true("a contact if the distance less R is at most 0; it is " + show(apart - ball.radius) +
+                    " m, and there is " + std::string(found ? "a contact" : "no contact"),
                 "Eq. (8.5)", found.has_value() == (apart <= ball.radius), into);
     if (!found || ::testing::Test::HasFailure()) continue;
     expect_near("gap [m]", "Eq. (8.5)", found->gap, apart - ball.radius, roundings(64, 4), {}, into);

@@ -31,7 +31,7 @@ EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {
        {lambda, "It has not been shortened: |λ_t| = 5."},
        {Vec2(-3, 4) / 5, "This has length 1. Multiply by the radius."},
        {Vec2(-7.5, 10), "This is Λ λ_t: divide by |λ_t|, too."},
-       {Vec2(-0.3, 0.4), "This is divided by |λ_t|², or by too much by |λ_t|: Λ/|λ_t|."},
+       {Vec2(-0.3, 0.4), "This is divided by |λ_t| once too often: the factor is Λ/|λ_t|."},
        {Vec2(1.5, -2), "The direction has been reversed."},
        {Vec2(-7.5, 10) / 7, "The length is √(λ1² + λ2²), not |λ1| + |λ2|."},
        {Vec2(-2.5 * 0.75, 2.5), "The length is √(λ1² + λ2²), not the larger of |λ1| and |λ2|."}});
@@ -48,7 +48,7 @@ EXERCISE_TEST(OntoDisc, IsTheNearestPoint) {
     const std::string of = " of λ_t = " + show(Eigen::MatrixXd(lambda)) + ", radius " + show(radius) + " [N s]";
     expect_at_most("length of the nearest point" + of, "Eq. (9.4)", p.norm(), radius * (1 + roundings(8).value),
                    "the radius, and 8 roundings");
-    expect_at_most("distance of a point of the disc on λ's side of the nearest one" + of, "Eq. (9.4)",
+    expect_at_most("(λ - p)·(q - p) for your result p and a point q of the disc" + of, "Eq. (9.4)",
                    (lambda - p).dot(q - p), roundings(32, 4 * (1 + radius) * (1 + radius)).value,
                    "0, and 32 roundings", "There is a nearer one. It is on the line from 0 to λ_t.");
   }

@@ -107,7 +107,7 @@ EXERCISE_TEST(StepRows, HasTheRowsOfTheStepOfJoints) {
           "Only the first contact has its rows. Where mu is 0 go on with the next one: `continue`, not "
           "`break`."},
          {static_cast<double>(expected.size() - of_joints + 3 * all.joints.size()),
-          "Every joint is a ball joint: where length is more than 0 it is a distance."},
+          "Here every joint is a ball joint. If its length is above 0, it is a distance."},
          {static_cast<double>(expected.size() - of_a_contact * static_cast<std::size_t>(open)),
           "The contacts with a gap above 0 are missing. They may close within the step."},
          {static_cast<double>(of_joints + contacts.size()),
@@ -161,12 +161,12 @@ EXERCISE_TEST(StepRows, SweptIsTheStepOfImpacts) {
     expect_same_bodies(
         "after step_rows, before the solver", "Eq. (7.9)", half, bounced, of_half_steps,
         {{with_impacts(all, closed, h),
-          "Contacts with a gap above 0 have no impacts. resolve_impacts takes all of them, whatever their "
-          "gap."},
+          "The impacts of contacts with a gap above 0 are missing. resolve_impacts takes all contacts, "
+          "whatever their gap."},
          {with_impacts(all, contacts, h, std::abs(all.gravity.z()) * h),
           "The threshold is from a component of gravity. It is |gravity| h, Eq. (7.10)."},
          {with_impacts(all, unjoined, h),
-          "Two bodies that have a joint do not bounce. An impact ignores joints."},
+          "Impacts between bodies that have a joint are missing. An impact ignores joints."},
          {all, "Nothing has bounced: resolve the impacts, and copy motion.W back to the bodies."},
          {swept(bounced, step, h), "The bodies have moved already: finish_step does that."}},
         "step_rows changes velocities, by the impacts, and nothing else.");
@@ -202,7 +202,8 @@ EXERCISE_TEST(StepRows, ListsTheContactsThatHaveFriction) {
     expect_near(
         "index of the normal row of contact " + std::to_string(c), "Eq. (9.1)", place,
         static_cast<double>(joint_rows + 3 * c), {0, "it is a whole number"},
-        {{c == 0 ? HUGE_VAL : number, "This counts contacts: it is an index in `rows`."},
+        {{c == 0 ? HUGE_VAL : number,
+          "This is the number of the contact. Return the index of its normal row in `rows`."},
          {3 * number, "The rows of the joints come before those of the contacts."},
          {static_cast<double>(joint_rows + 3 * c + 1), "This is the row of t1. The normal row is before it."}});
     expect_near("μ of contact " + std::to_string(c), "Eq. (9.3)", step.friction[c].mu, all.mu,

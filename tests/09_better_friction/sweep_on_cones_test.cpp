@@ -72,14 +72,12 @@ EXERCISE_TEST(SweepOnCones, WithoutMuIsASweepWithoutFriction) {
     expect_near("what sweep " + std::to_string(n + 1) + " of 3 contacts with μ = 0 returns [m/s]",
                 "Eq. (9.3), (4.9)", got, expected, roundings(1e4, 5), {},
                 "On ice it is chapter 04's sweep, with friction rows that have bounds of 0. update_friction "
-                "does this, for "
-                "any μ: a disc of radius 0.");
+                "does this by itself: for μ = 0 its disc has the radius 0.");
   }
   expect_near_vector("λ after 5 sweeps of 3 contacts with μ = 0 [N s]", "Eq. (9.3), (4.7)", all_lambda(s.rows),
                      all_lambda(plain.rows), roundings(1e4, 5), {},
                      "On ice it is chapter 04's sweep, with friction rows that have bounds of 0. "
-                     "update_friction does this, for "
-                     "any μ: a disc of radius 0.");
+                     "update_friction does this by itself: for μ = 0 its disc has the radius 0.");
 }
 
 // Friction of an earlier step, in λ and in V, at a contact with μ = 0, or at one that has separated since.

@@ -204,12 +204,12 @@ EXERCISE_TEST(TwoPassSolve, LimitsFrictionByTheFirstPass) {
         "This is Coulomb's cone, with the normal impulse at the end. The two-pass limit is μ times "
         "the normal impulse of the first pass, without friction."},
        {mu * rough.rows[0].lambda,
-        "The first pass has friction. Before it all friction rows get bounds and λ of 0, loaded or not."},
+        "Your first pass has friction. Before it, set bounds and λ of all friction rows to 0, loaded or not."},
        {0, "There is no friction. Its bounds come from the first pass, and then a second one uses them."},
        {-slip / (1 + 3 * 0.8), "This has no limit: it stops the slip."}},
       "Limits are set once, after the first pass, from its normal impulses.");
-  expect_near("what then presses [N s]", "Eq. (9.1)", s.rows[0].lambda, without * (1 - mu * rod_Knx / rod_Knn),
-              roundings(64),
+  expect_near("λ_n of the rod after the second pass [N s]", "Eq. (9.1)", s.rows[0].lambda,
+              without * (1 - mu * rod_Knx / rod_Knn), roundings(64),
               {{without, "This is the first pass's. The second pass sweeps the normal rows, too."}});
 }
 
@@ -347,7 +347,7 @@ EXERCISE_TEST(TwoPassSolve, HasConvergedWhenTheSecondPassHas) {
   System<6> s = leaning_rod(2, -0.01, 0.5);
   const SolveReport report = two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 3, .tolerance = 1e-12});
   expect_true(
-      "a first pass that converged in 2 sweeps and a second that did not in 3 have not converged", "Eq. (4.9)",
+      "`converged` is false: the first pass converged in 2 sweeps, the second did not in 3", "Eq. (4.9)",
       !report.converged && report.history.size() == 5,
       "`converged` belongs to the second pass, whose result is the answer. Each pass has its own stop.");
 

@@ -92,7 +92,8 @@ EXERCISE_TEST(UpdateFriction, CountsBothBodies) {
         {{with(a.Gj.dot(b.MinvGj)), "S12 has a part of each body: that of i is missing."},
          {with(a.Gi.dot(b.MinvGi)), "S12 has a part of each body: that of j is missing."},
          {with(a.Gi.dot(b.Gi) + a.Gj.dot(b.Gj)), "S12 has M⁻¹ between the two rows: `MinvGi` and `MinvGj`."},
-         {with(a.Gi.dot(b.MinvGi) - a.Gj.dot(b.MinvGj)), "The parts of i and j in S12 are added."},
+         {with(a.Gi.dot(b.MinvGi) - a.Gj.dot(b.MinvGj)),
+          "The parts of i and j in S12 have been subtracted: add them."},
          {with(0), "S12 is missing."}},
         "λ_t + r_t/s, with S12 = G_1,i M⁻¹ G_2,i + G_1,j M⁻¹ G_2,j.");
   }
@@ -129,7 +130,7 @@ EXERCISE_TEST(UpdateFriction, LetsGoWhereNothingPresses) {
         "λ_t [N s] that was (0.6, -0.8)" + with, "Eq. (9.3), (9.6)", s.tangential(s.contacts[0]), Vec2::Zero(),
         {0, "exact"},
         {{Vec2(0.6, -0.8), "It keeps the old friction. A disc of radius 0 is a point, so λ_t becomes 0."}},
-        "With λ_n = 0 there is no friction.");
+        "With λ_n = 0 or μ = 0 the radius μ λ_n is 0, so there is no friction.");
     expect_near("what it returns: s times 1 N s" + with + " [m/s]", "Eq. (9.6)", got, 3 + std::numbers::sqrt2,
                 roundings(32, 5));
     expect_near_vector("V after it" + with, "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, 2), roundings(64, 5),

@@ -202,7 +202,8 @@ void expect_nearest_pairs_first(Random& random, int count) {
     for (std::size_t k = 0; k < old.size(); ++k) {
       if (old[k].j != contacts[c].j || distance(c, k) > reach) continue;
       expect_true("of " + std::to_string(count) + ", contact " + std::to_string(c) + " and old contact " +
-                      std::to_string(k) + ", " + show(distance(c, k)) + " m apart, each with a nearer match",
+                      std::to_string(k) + ", " + show(distance(c, k)) +
+                      " m apart: at least one of them has a match as near",
                   "Eq. (10.1)", to_old[c] <= distance(c, k) || to_contact[k] <= distance(c, k),
                   "These two are nearer to each other than their own matches, or have none. Match the nearest "
                   "two first. " +

@@ -255,10 +255,8 @@ EXERCISE_TEST(SweepInOrder, TakesAnyBoundsAndAnyStart) {
     expect_near("what a sweep in a random order returns, of " + of + " with bounds of all kinds [m/s]",
                 "Eq. (4.9)", sweep_in_order(order, p.rows, p.V), should, roundings(100, 10), {},
                 "Return the largest S_kk |Δλ_k|, also of rows that begin at either bound and leave it.");
-    expect_near_vector("of which some start outside their bounds, after it [N s] " + of +
-                           " after it, within their bounds before or not [N s]",
-                       "Update every row, also one that begins at a bound.", lambdas(p),
-                       put_back(lambdas(expected), order), roundings(1000, 10), {},
+    expect_near_vector("λ of " + of + " after a sweep in a random order; some began outside their bounds [N s]",
+                       "Eq. (4.7)", lambdas(p), put_back(lambdas(expected), order), roundings(1000, 10), {},
                        "Every row is updated, also one that begins at a bound. " + ends_early);
   }
 }

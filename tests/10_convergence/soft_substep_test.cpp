@@ -180,20 +180,22 @@ EXERCISE_TEST(SoftSubstep, HasItsStagesInTheirOrder) {
                  p.motion.Wf, p.rows, after, p.motion.W);
     // Each update rounds numbers of about 10, and the later ones carry that on.
     const Tolerance tolerance = roundings(1e4 * count, 10);
-    expect_near_vector("gaps of " + std::to_string(count) + " rows [m]", "Eq. (10.19)", as_eigen(after),
-                       expected_gaps, tolerance,
-                       {{as_eigen(gaps), "Gaps have not moved."},
-                        {by_hand({.late_gaps = true}).second, "Gaps move between the two sweeps."},
-                        {by_hand({.forces_last = true}).second, "Forces come first, before the sweeps."},
-                        {by_hand({.gaps_of_pushing_only = true}).second,
-                         "Gaps of rows without an impulse have not moved. All gaps move with the bodies."},
-                        {by_hand({.warm_contacts_only = true}).second,
-                         "W has the old λ of contacts only. Every row adds its own: joints and friction, too."},
-                        {by_hand({.cold = true}).second, "W lacks the λ of the last substep: add M⁻¹ Gᵀ λ."},
-                        {by_hand({.forgets_lambda = true}).second,
-                         "Begin with the λ of the last substep, not with 0. And W has the λ of all rows before "
-                         "the first row is updated."}},
-                       "g <- g + h G W, with W after the soft sweep. " + ends_early);
+    expect_near_vector(
+        "gaps of " + std::to_string(count) + " rows [m]", "Eq. (10.19)", as_eigen(after), expected_gaps,
+        tolerance,
+        {{as_eigen(gaps), "Gaps have not moved."},
+         {by_hand({.late_gaps = true}).second,
+          "The gaps have moved too late: move them between the two sweeps."},
+         {by_hand({.forces_last = true}).second, "The forces came last: add them before the sweeps."},
+         {by_hand({.gaps_of_pushing_only = true}).second,
+          "Gaps of rows without an impulse have not moved. All gaps move with the bodies."},
+         {by_hand({.warm_contacts_only = true}).second,
+          "W has the old λ of contacts only. Every row adds its own: joints and friction, too."},
+         {by_hand({.cold = true}).second, "W lacks the λ of the last substep: add M⁻¹ Gᵀ λ."},
+         {by_hand({.forgets_lambda = true}).second,
+          "Begin with the λ of the last substep, not with 0. And W has the λ of all rows before "
+          "the first row is updated."}},
+        "g <- g + h G W, with W after the soft sweep. " + ends_early);
     expect_near_vector(
         "λ of " + std::to_string(count) + " rows [N s]", "Eq. (10.15), (10.21)", lambdas(p), expected,
         tolerance,

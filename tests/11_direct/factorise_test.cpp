@@ -49,11 +49,11 @@ EXERCISE_TEST(Factorise, LooksForAPatternOnce) {
   Random random;
   const MatrixXd A = random_spd(random, 12, 20);
   Factors factors;
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(A), factors));
   for (int again = 0; again < 5; ++again) {
     MatrixXd other = A * random.uniform(0.5, 2);
     other.diagonal() *= random.uniform(1.5, 3);
-    expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(other), factors));
+    expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(other), factors));
     expect_solves("other numbers in the same places", other, factors);
   }
   expect_near(
@@ -65,7 +65,7 @@ EXERCISE_TEST(Factorise, LooksForAPatternOnce) {
   const MatrixXd ones = MatrixXd::Ones(12, 12);  // its second pivot is 1 - 1
   expect_true("a matrix of ones is not sound", "Eq. (11.4)", !factorise(lower_triangle(ones), after_failure));
   const MatrixXd more = ones + MatrixXd::Identity(12, 12);
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(more), after_failure));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(more), after_failure));
   expect_near("analyses of a matrix that fails, and of one with its pattern", "Eq. (11.3)",
               after_failure.analyses, 1, {0, "a count"},
               {{2, "The pattern of a matrix that failed is the last one, too: note it before you factorise."}});
@@ -82,10 +82,10 @@ MatrixXd two_hubs(int n) {
 EXERCISE_TEST(Factorise, LooksAgainForAnotherPattern) {
   Factors factors;
   MatrixXd A = two_hubs(8);
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(A), factors));
   // First an entry fewer: its place is known to the old factors. With an entry elsewhere Eigen would abort the program.
   A(2, 1) = A(1, 2) = 0;
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(A), factors));
   expect_near("analyses after an entry is gone", "Eq. (11.3)", factors.analyses, 2, {0, "a count"},
               {{1,
                 "Its entries have other places than those of the last one: look for P and the pattern again. "
@@ -93,7 +93,7 @@ EXERCISE_TEST(Factorise, LooksAgainForAnotherPattern) {
   if (factors.analyses != 2) return;
   expect_solves("an entry fewer", A, factors);
   A(2, 0) = A(0, 2) = 0, A(1, 0) = A(0, 1) = 1;  // as many entries, one of them elsewhere
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(A), factors));
   expect_near("analyses after an entry has moved", "Eq. (11.3)", factors.analyses, 3, {0, "a count"},
               {{2, "Compare where the entries are, not how many there are."}});
   expect_solves("as many entries, elsewhere", A, factors);
@@ -108,7 +108,7 @@ EXERCISE_TEST(Factorise, LooksAtColumnsAsWellAsLines) {
   one_column.prune(0.0);
   factorise(one_column, factors);
   A << 2, 0, 0, 3;
-  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_true("factorise accepts this matrix", "Eq. (11.4)", factorise(lower_triangle(A), factors));
   expect_near("analyses of two matrices with entries in rows 0 and 1", "Eq. (11.3)", factors.analyses, 2,
               {0, "a count"}, {{1, "All row indices are alike, but not where the columns begin."}});
   expect_solves("two columns after one", A, factors);
@@ -223,7 +223,7 @@ EXERCISE_TEST(Factorise, JudgesPivotsAlikeAtAnyMass) {
     twice << mass, 0.7, 0.3, 0.7, 0, 0, 0.3, 0, 0;
     Factors factors, others;
     const std::string clue = "What was subtracted from A_kk is the sum of L_kj² |D_j|: L twice, D once.";
-    expect_true("a row on a body of " + show(mass) + " kg is taken", "kg is accepted",
+    expect_true("a row on a body of " + show(mass) + " kg is accepted", "Eq. (11.4)",
                 factorise(lower_triangle(once), factors), clue);
     expect_true("a row that occurs twice, on a body of " + show(mass) + " kg, is refused", "Eq. (11.4)",
                 !factorise(lower_triangle(twice), others), clue);
@@ -283,7 +283,7 @@ EXERCISE_TEST(Factorise, RefusesWhatIsNotFinite) {
 EXERCISE_TEST(Factorise, GoesOnAfterARefusal) {
   Factors factors;
   const MatrixXd singular = MatrixXd::Ones(2, 2), sound = singular + MatrixXd::Identity(2, 2);
-  expect_true("refused", "Eq. (11.4)", !factorise(lower_triangle(singular), factors));
+  expect_true("factorise refuses this matrix", "Eq. (11.4)", !factorise(lower_triangle(singular), factors));
   expect_true("accepted, after one with the same pattern was refused", "Eq. (11.4)",
               factorise(lower_triangle(sound), factors));
   expect_solves("after a refusal", sound, factors);

@@ -439,8 +439,9 @@ EXERCISE_TEST(InteriorSolve, EndsWithANaN) {
     expect_true(
         "a right side with a NaN has not converged", "Eq. (11.13)", !solved.report.converged,
         "std::max, std::min and Eigen's cwiseMax drop a NaN: a bound takes its place. std::clamp keeps it.");
-    expect_true("and is reported", "Eq. (11.13)", !solved.report.trouble.empty());
-    expect_true("and leaves λ within the bounds", "Eq. (4.1)",
+    expect_true("a right side with a NaN is reported in `trouble`", "Eq. (11.13)",
+                !solved.report.trouble.empty());
+    expect_true("a right side with a NaN leaves λ within the bounds", "Eq. (4.1)",
                 (solved.lambda.array() >= p.lo.array()).all() && (solved.lambda.array() <= p.hi.array()).all(),
                 "A residual of NaN is not better than any number, so its λ is not the best. Return the guess, "
                 "clamped.");
@@ -457,11 +458,11 @@ EXERCISE_TEST(InteriorSolve, ReportsWhatHasNoAnswer) {
   solve_bounded(p, exact, solved);
   expect_true("contradictory rows with Σ = 0 and no bounds have not converged", "Eq. (11.4)",
               !solved.report.converged, "factorise returned false: do not use its factors.");
-  expect_true("and are reported", "Eq. (11.4)", !solved.report.trouble.empty(),
+  expect_true("contradictory rows are reported in `trouble`", "Eq. (11.4)", !solved.report.trouble.empty(),
               "factorise returned false: say so in `trouble`.");
-  expect_true("and leave λ finite", "Eq. (11.4)", solved.lambda.allFinite(),
+  expect_true("contradictory rows leave λ finite", "Eq. (11.4)", solved.lambda.allFinite(),
               "Do not solve with factors of a failed factorisation.");
-  expect_true("and leave no NaN in the history", "Eq. (4.8)",
+  expect_true("contradictory rows leave no NaN in the history", "Eq. (4.8)",
               std::none_of(solved.report.history.begin(), solved.report.history.end(),
                            [](double entry) { return std::isnan(entry); }),
               "A factorisation that fails gives no λ, and so no residual to append.");

@@ -257,7 +257,8 @@ EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
                   "The whole step was taken, though a bound limits it, by a tiny amount. The step is whole "
                   "only where α₂ is 1."},
                  {-longest, "All of the longest part was taken, so the room is 0. Take 0.9 + 0.0999 α of it."},
-                 {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
+                 {-(0.9 + 0.0999 * longest) * longest,
+                  "This step was shortened. Nothing limits it, so take it whole."}},
                 "Take the part (0.9 + 0.0999 α) α₂ of the step, or the whole step if nothing limits it.");
     if (::testing::Test::HasFailure()) return;
   }
@@ -351,7 +352,7 @@ EXERCISE_TEST(InteriorStep, ReconcilesLambdaAndItsRooms) {
                                ", from λ = " + show(before.lambda) + ", s⁻ = " + show(before.below) +
                                ", s⁺ = " + show(before.above) + " [N s]";
       const std::string clue =
-          "λ had drifted from its rooms, and they apart, before the step. Keep the smallest of |λ|, s⁻, s⁺. "
+          "Before the step λ, s⁻ and s⁺ did not agree, by round-off. Keep the smallest of |λ|, s⁻, s⁺. "
           "The other two follow by s⁻ = λ - lo, s⁺ = hi - λ. " +
           (rows == many ? ends_early : "");
       expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, conditioned,

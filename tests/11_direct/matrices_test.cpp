@@ -251,7 +251,7 @@ EXERCISE_TEST(SaddleMatrix, KeepsStaticBodiesAtRest) {
                      {{VectorXd::Zero(6), "Its mass is not 0 but infinite. The identity keeps its V at 0."}});
   expect_near_vector("blocks of that body in the rows, each by the norm of its G", "Eq. (11.2)",
                      VectorXd(A.block(12, 0, 3, 6).rowwise().norm()), VectorXd::Zero(3), {0, "exact"}, {},
-                     "With its G there, the identity would be its mass.");
+                     "Leave out G of a static body: otherwise it moves as a body of 1 kg does.");
 }
 
 EXERCISE_TEST(SaddleMatrix, OfPointsHasThreeUnknownsForEach) {

@@ -41,7 +41,7 @@ EXERCISE_TEST(BarrierMatrix, StiffensTheDiagonal) {
                    {S + lo - hi, "Both bounds make it stiffer: the push grows towards either."},
                    {S + flat_lo + flat_hi, "Push over room: [m/s]/[N s] is 1/kg."},
                    {lo + hi, "Add it to S."},
-                   {S, "No bound makes it stiffer. " + ends_early}});
+                   {S, "This is S alone: add z/s of each bound. " + ends_early}});
     }
   }
 }

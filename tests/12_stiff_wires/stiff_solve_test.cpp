@@ -145,7 +145,7 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {dense(s, 1, Wf, Push::alike_on_both).V,
           "Both ends get the same push: what one end gets the other gives, with the other sign."},
          {dense(s, 1, Wf, Push::static_bodies_too).V,
-          "A static body moves. Its M is the identity, so its V is its right side: keep that at 0."},
+          "Your static body moves. Its M is the identity, so its V is its right side: keep that side at 0."},
          {dense(s, 1, s.motion.W).V,
           "K acts on the velocity W of before the step. It should act on W_f, which the forces add."},
          {with({.push = 2}), "The push -h²K W_f counts twice."},
@@ -155,9 +155,10 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {with({.B = -1}), "The sign of B, the right side of the rows."},
          {with({.B = 0.5}), "The right side of a row is B, all of it: this has half of B."},
          {dense(s, 1, Wf, Push::between_dynamic_bodies).V,
-          "Springs with a static end do not push. They resist the W_f of the end that moves."},
+          "The springs with a static end are missing. They push, too: they resist the W_f of the end that "
+          "moves."},
          {dense(s, 1, Wf, Push::of_the_last_spring).V,
-          "Of the springs of a body only the last pushes: what they push adds up."},
+          "Only the last spring of a body pushes here. Add up the pushes of all its springs."},
          {dense(s, 1, Wf, Push::without_brackets).V,
           "K multiplies the difference of the two: K (W_f,j - W_f,i), with brackets."},
          {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
@@ -230,9 +231,10 @@ EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
   without_rows.stiffness = {{.i = 0, .j = 1, .K = 4 * Mat3::Identity()}};  // h²K is 1 kg, and so are the masses
   const Vec3 V0 = solved(without_rows).V.head<3>();
   if (V0 == Vec3::Zero()) this_failure_explains();
-  expect_near_vector("V of body 0 on a spring, without rows [m/s]", "Eq. (12.6)", V0, Vec3(1, 1, 1),
-                     roundings(16), {{Vec3::Zero(), "Nothing is solved without rows. The springs are there."}},
-                     "M̃ V = -h² K W_f without rows.");
+  expect_near_vector(
+      "V of body 0 on a spring, without rows [m/s]", "Eq. (12.6)", V0, Vec3(1, 1, 1), roundings(16),
+      {{Vec3::Zero(), "Nothing was solved, since there are no rows. The springs still need a solve."}},
+      "M̃ V = -h² K W_f without rows.");
 }
 
 EXERCISE_TEST(StiffSolve, KnowsNoBounds) {

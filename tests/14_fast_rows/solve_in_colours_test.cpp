@@ -140,7 +140,8 @@ EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
       expect_true(on + "λ and V are the same as on one thread, to the last bit", "Eq. (14.10)",
                   same_bits(alone.heap, together.heap),
                   "Has every pack been updated once? Does each colour wait for the end of the last one?");
-      expect_true(on + "so is the history", "Eq. (4.9)", alone.report.history == together.report.history,
+      expect_true(on + "the history is the same as on one", "Eq. (4.9)",
+                  alone.report.history == together.report.history,
                   "Append the largest of all threads, and of this sweep only.");
     }
   }

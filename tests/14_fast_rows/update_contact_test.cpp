@@ -81,7 +81,7 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
            {with(S, r_of_i_twice + S * before),
             "In r the velocity of body i stands in place of body j's, too."},
            {with(without_mass, r + without_mass * before),
-            "Beside its diagonal S_cc is without masses: it is G M⁻¹ Gᵀ."},
+            "The entries beside the diagonal of your S_cc lack the masses: S_cc is G M⁻¹ Gᵀ."},
            {with(subtracted, r + subtracted * before),
             "Beside the diagonal of S_cc the part of body j is subtracted: both parts are added."},
            {Vec3(before + with(S, r)), "This adds the λ of the residual, on its cone, to the old λ."},

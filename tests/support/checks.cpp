@@ -85,7 +85,7 @@ void report_failure(const std::string& what, const std::string& equation, const 
 std::string digits_clue(double error, double size, const Tolerance& tolerance) {
   if (tolerance.value > 1e-12 * size || !(error <= 1.2e-7 * size)) return "";
   return error > 1e-10 * size
-             ? " It is right to the seven digits of a float: is there one on the way? All numbers are double."
+             ? " It is right to the seven digits of a float: did you use float somewhere? Use double."
              : " Only the last digits are wrong: has a series been cut off, did an iteration end early, or has "
                "something "
                "small been left out?";
@@ -94,8 +94,8 @@ std::string digits_clue(double error, double size, const Tolerance& tolerance) {
 std::string nan_clue(bool is_nan) {
   if (!is_nan) return "";
   this_failure_has_a_clue_that_fits();
-  return "It is NaN. Does a number, or a block of a vector or matrix, never get a value? Here Eigen's begin as "
-         "NaN. Or is 0 divided by 0? ";
+  return "It is NaN. Does a number, or a block of a vector or matrix, never get a value? Those of Eigen begin "
+         "as NaN here. Or is 0 divided by 0? ";
 }
 
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,

@@ -52,7 +52,7 @@ std::string quantity(double value, const Unit& unit, int digits) {
 std::string difference(const Outcome& got, const Outcome& expected) {
   if (!got.thrown.empty()) return "  expected  no exception\n  got       one that says: " + got.thrown + "\n";
   if (got.counts != expected.counts || got.units != expected.units) {
-    std::string text = "  another count: a size, an index, a yes or no\n";
+    std::string text = "  a whole number differs: a size, an index, or true or false\n";
     for (std::size_t k = 0; k < std::min(got.counts.size(), expected.counts.size()); ++k)
       if (got.counts[k] != expected.counts[k])
         return text + "  expected  " + std::to_string(expected.counts[k]) + "\n  got       " +
@@ -66,7 +66,7 @@ std::string difference(const Outcome& got, const Outcome& expected) {
     const int digits = digits_apart(a, b);
     return "  expected  " + quantity(b, unit, digits) + "\n  got       " + quantity(a, unit, digits) +
            ", counted in SI units again" + "\n  tolerance " + show(allowed) +
-           " (powers of two change no digit; room for a logarithm)\n";
+           " (powers of two change no digit; a little is allowed for a logarithm)\n";
   }
   return "";
 }

@@ -18,7 +18,7 @@ namespace spook::testing {
 /// The length of a list longer than in most tests. It detects loops that end early, and arrays that have room for ten.
 inline constexpr int many = 100;
 
-inline const std::string ends_early = "A loop that ends early leaves the rest as they were.";
+inline const std::string ends_early = "If the first ones are right: does a loop end too early?";
 
 class Random {
  public:

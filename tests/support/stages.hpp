@@ -366,13 +366,14 @@ inline std::string wrong_part(const Simulation& got, const Simulation& right, co
 /// The mistakes of stages that chapters 04 to 06 have in common.
 inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
   const std::string parting =
-      "Contacts whose bodies part have no rows. Forces and other rows may still close them: solve all of them.";
+      "The contacts whose bodies part are missing. Forces and other rows may still close them: make rows for "
+      "all.";
   return {
       {{.approaching_only = true}, parting},
       {{.open_approaching_only = true}, parting},
       {{.forgets_V = true}, "The rows have no effect: is V added to the velocities before the bodies move?"},
       {{.moves_before = true},
-       "The bodies move before the rows are made: gaps and velocities are those before the move."},
+       "The bodies have moved before the rows were made. Rows need the gaps and velocities before the move."},
       {{.kicks_before = true},
        "Gravity counts twice: the bodies are kicked before the rows are made, and step_free kicks them again."},
       {{.adds_forces = true},

@@ -47,8 +47,8 @@ bool expect_as_said(const std::string& equation, const Case& c, const std::vecto
 
 bool expect_stops_by_the_rule(const std::string& equation, int entries, const SolvesBy& solve) {
   const std::vector<double> all = solve({.max_sweeps = entries, .tolerance = 0}).history;
-  expect_true("of " + std::to_string(entries) +
-                  " entries without a tolerance there are at least three: " + std::to_string(all.size()),
+  expect_true("with max_sweeps = " + std::to_string(entries) +
+                  " and tolerance 0 the history has at least three entries; here " + std::to_string(all.size()),
               equation, all.size() >= 3, "Append one entry a sweep.");
   if (all.size() < 3) return false;
   double lowest = infinity;
@@ -61,7 +61,8 @@ bool expect_stops_by_the_rule(const std::string& equation, int entries, const So
                   k + 1,
                   true,
                   "Stop at the first entry that is at most the tolerance, equal to it as well. The tolerance "
-                  "is in m/s, as the entries are: not a part of the first, and no square. The history includes "
+                  "is in m/s, as the entries are: it is not relative to the first entry, and not squared. The "
+                  "history includes "
                   "the entry that meets it."}))
       return false;
     if (!as_said({{.max_sweeps = last, .tolerance = lowest},
@@ -91,7 +92,7 @@ static bool goes_on_in_round_off(const std::string& equation, const SolvesBy& so
   const std::vector<double> got = solve({.max_sweeps = sweeps, .tolerance = 0}).history;
   if (std::ssize(got) == sweeps || (!got.empty() && got.back() == 0)) return true;
   report_failure(
-      "sweeps made of " + std::to_string(sweeps) + ", tolerance 0", equation,
+      "number of sweeps, with max_sweeps = " + std::to_string(sweeps) + " and tolerance 0", equation,
       "  expected  " + std::to_string(sweeps) + ", unless one returns 0\n  got       " +
           std::to_string(got.size()) + "\n",
       "It gave up, perhaps since some sweeps were no better than those before. That is no reason: only "
