@@ -62,9 +62,10 @@ class Marker(unittest.TestCase):
         self.assertTrue(is_stub('"\\"\nnot_implemented();'))
 
     def test_a_file_without_code_is_empty(self):
-        for source in ("", " \t\r\n", "\ufeff", "// kick\n", "/* Vec3 kick() {}\n*/\n// x", "/* no end"):
+        for source in ("", " \t\r\n", "\ufeff", "// kick\n", "/* Vec3 kick() {}\n*/\n// x", "/* no end",
+                       "// a \\\nint x;", "/\\\n/ int x;", "/\\ \r\n* int x; */"):
             self.assertTrue(is_empty(source), source)
-        for source in ("x", '#include "a.hpp"', "namespace spook {}", "// a\nint x;", "/* */ ;"):
+        for source in ("x", '#include "a.hpp"', "namespace spook {}", "// a\nint x;", "/* */ ;", "/* *\\\n/ int x;"):
             self.assertFalse(is_empty(source), source)
 
     def test_line(self):
@@ -280,10 +281,10 @@ class Next(unittest.TestCase):
 
 class Milestone(unittest.TestCase):
     def test_an_own_step_is_offered_by_its_exercise_as_long_as_that_is_a_stub(self):
-        for folder, begun, told in (("01_leapfrog", True, "By a step of your own:\n  ./course view orbit"),
-                                    ("07_impacts", False, "By a step of your own, once you have written 7.9 step_impacts:\n"),
-                                    ("12_stiff_wires", False, "By a step of your own, once you have written 9.9 step_rows:\n"),
-                                    ("12_stiff_wires", True, "By a step of your own:\n  ./course view stiff_wire")):
+        for folder, begun, told in (("01_leapfrog", True, "By your own step:\n  ./course view orbit"),
+                                    ("07_impacts", False, "By your own step, once you have written 7.9 step_impacts:\n"),
+                                    ("12_stiff_wires", False, "By your own step, once you have written 9.9 step_rows:\n"),
+                                    ("12_stiff_wires", True, "By your own step:\n  ./course view stiff_wire")):
             with self.subTest(folder), mock.patch.object(board.Exercise, "started", lambda _: begun), \
                  contextlib.redirect_stdout(io.StringIO()) as text:
                 board.show_milestone(folder)

@@ -90,7 +90,7 @@ class CourseRun(unittest.TestCase):
 
     def test_mine_that_does_not_compile_or_define(self):
         for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"),
-                             ("", "is not defined"),
+                             ("namespace spook {}", "is not defined"),
                              (STILL.replace("Vec3 kick", "Vec3 helper(Vec3);\nVec3 kick").replace("v;", "helper(v);"),
                               "undefined reference to `spook::helper")):
             self.box.file(self.kick).write_text(source)

@@ -246,10 +246,10 @@ class Compiled(unittest.TestCase):
             user.release()
 
     def test_one_that_is_stopped_has_used_all(self):
-        """Stopped by the clock, it counts as 600 s, and by its output as 30 s."""
+        """Stopped by the clock, it counts as 600 s, and by its output as 20 s."""
         exercise = next(iter(all_exercises()))
         workshop = SimpleNamespace(headers=Path("headers"), compile_command=lambda *_: ["g++"])
-        for ended, used in ((Ended(-9, "", False, True, 0.1), 30), (Ended(-9, "", True, False, 0.1), 600)):
+        for ended, used in ((Ended(-9, "", False, True, 0.1), 20), (Ended(-9, "", True, False, 0.1), 600)):
             isolation = SimpleNamespace(run=lambda *_, ended=ended: ended)
             with tempfile.TemporaryDirectory() as folder:
                 made = make(exercise, Source("kick.cpp", b"x"), workshop, isolation, User(None), Path(folder))

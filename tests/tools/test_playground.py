@@ -127,7 +127,8 @@ class Playgrounds(unittest.TestCase):
             self.assertIn(told, said)
             self.assertIn(last, said.splitlines()[-1])
         self.file.write_text(first)
-        for source, told in (("not C++", "1.1 kick does not compile"), ("", "1.1 kick is not defined in its file")):
+        for source, told in (("not C++", "1.1 kick does not compile"),
+                             ("namespace spook {}", "1.1 kick is not defined in its file")):
             self.box.file(self.kick).write_text(source)
             self.assertIn(told, self.tried(code=1).stderr.splitlines()[-1])
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import CourseError
-from marker import is_stub
+from marker import is_empty, is_stub
 from paths import CHAPTERS, SOLUTIONS
 
 _HEADING = re.compile(r"^## +([0-9]+)\.([0-9]+) +([a-z][a-z0-9_]*)\s*$")
@@ -54,7 +54,7 @@ class Exercise:
 
     def started(self) -> bool:
         source = self.source()
-        return source is None or not is_stub(source)
+        return source is None or not (is_stub(source) or is_empty(source))
 
 
 @dataclass(frozen=True)

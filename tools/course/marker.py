@@ -2,9 +2,10 @@
 
 import re
 
+_SPLICE = r"\\[ \t]*\r?\n"  # joins a line to the next, also within //, /* and */
 _COMMENT_OR_LITERAL = re.compile(
-    r"//[^\n]*"
-    r"|/\*.*?(?:\*/|\Z)"
+    rf"/(?:{_SPLICE})*/(?:{_SPLICE}|[^\n])*"
+    rf"|/(?:{_SPLICE})*\*.*?(?:\*(?:{_SPLICE})*/|\Z)"
     r'|R"([^()\\\s]{0,16})\((?:.*?\)\1"|.*)'  # one without an end goes on to the end: each is looked through once
     r'|"(?:\\.|[^"\\\n])*"?'  # one without an end goes on to the end of its line, for the same reason
     r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'?",  # not the quote in 1'000

@@ -10,7 +10,7 @@ import crash
 import diagnostics
 from exercise_object import drop_if_stale
 from manifest import Exercise
-from marker import code_of, marker_line, source_line
+from marker import code_of, is_empty, marker_line, source_line
 from paths import shown
 from races import Races, races_of
 from symbols import missing_functions
@@ -68,7 +68,7 @@ def _targets(exercise: Exercise) -> tuple[str, str]:
 def _build(exercises: list[Exercise]) -> Built:
     what = f"building {exercises[0].label}" if len(exercises) == 1 else f"building {len(exercises)} exercises"
     if not all(_tests_are_built(exercise) for exercise in exercises):
-        what += " and the tests of its chapter (half a minute, the first time)"
+        what += " and the tests of the chapter (half a minute, the first time)"
     for exercise in exercises:
         drop_if_stale(CHECK, exercise)
     built = CHECK.build([_targets(exercise)[0] for exercise in exercises], what, keep_going=True)
@@ -97,8 +97,9 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     if races.found:
         verdict = _with_race(verdict, races.found)
     elif verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
-        verdict.details = ("Run alone, this test does not fail as it does here. So a value is kept from one call to the next, "
-                           "in a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
+        verdict.details = ("This test gives another result when it runs alone. Does your code keep a value between "
+                           "calls, in a static or global variable? Or does it read a variable that was never "
+                           "set?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 
@@ -118,6 +119,9 @@ def without_building(exercise: Exercise) -> Verdict | None:
                                                           f"./course reset {exercise.id} puts the stub back.")
     if odd := complaint(exercise.file):
         return Verdict(exercise, "wrong", "not saved as UTF-8", odd)
+    if is_empty(source):
+        return Verdict(exercise, "not started", details=f"{shown(exercise.file)} has no code; "
+                                                        f"./course reset {exercise.id} puts the stub back.")
     line = marker_line(source)
     if line is None:
         return None

@@ -24,7 +24,7 @@ from manifest import Exercise
 from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
-_COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_COMPILING = Limits(cpu=20, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
 _TOOK = "took"
 # A namespace of processes tells nobody outside what its processes have used, so the shell inside writes it.
 _TIMED = ["/bin/sh", "-c", f'"$@"; code=$?; times > {_TOOK}; exit $code', "sh"]
@@ -180,7 +180,7 @@ def _owner(symbol: str, workshop: Workshop) -> str:
 
 def _not_yet(file: Path, called: str, exercise: Exercise) -> str:
     return (f"{file} calls {called}(), which is not available in grading where {exercise.label} is asked for: an "
-            "answer may call the functions of earlier exercises, unless one is the answer by itself.")
+            "answer may call functions of earlier exercises, except one that already does the whole task.")
 
 
 def _weak(file: Path, names: list[str]) -> str:
