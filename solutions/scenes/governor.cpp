@@ -104,7 +104,7 @@ SceneDescription governor() {
   const Limits positive = {.low = 0, .low_included = false};
   return {
       .name = "governor",
-      .summary = "A flyball governor turns faster than it can steadily: its balls swing out and come back.",
+      .summary = "A flyball governor starts above its steady speed: its balls swing out and come back.",
       .answer =
           "The angles of arms and spindle, integrated to round-off. Steady where cos(angle) = (1 + "
           "sleeve/(2m)) "

@@ -141,7 +141,7 @@ Parameter restitution(double value) {
 
 Parameter threshold() {
   return {.name = "threshold",
-          .meaning = "slowest impact, above g h or g sqrt(2 m/k)",
+          .meaning = "slowest impact; added to the larger of g h and g sqrt(2 m/k)",
           .unit = "m/s",
           .value = 0,
           .limits = not_negative};
@@ -149,7 +149,7 @@ Parameter threshold() {
 
 Parameter friction_law(std::vector<std::string> laws) {
   return {.name = "answer",
-          .meaning = "the law that the error is relative to; model: that of the friction",
+          .meaning = "law of friction of the answer; model, if listed: that of --friction-model",
           .choices = std::move(laws)};
 }
 

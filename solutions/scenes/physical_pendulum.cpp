@@ -4,6 +4,7 @@
 //   the stop at θ1 removes the angular momentum I θ'                          Eq. (13.11)
 //   afterwards it is a pendulum of amplitude θ1; or it rests on the stop, if θ1 <= 0
 #include "scenes/degrees.hpp"
+#include "scenes/number.hpp"
 #include "scenes/plane_pendulum.hpp"
 #include "scenes/registry.hpp"
 
@@ -49,7 +50,9 @@ class PhysicalPendulum : public WorldScene<6> {
         inertia_(rod_inertia(p)) {
     const double angle0 = radians(p.number("angle")), m = p.number("m");
     if (!(stop_ > -angle0))
-      throw std::invalid_argument("stop must be more than -angle, where the rod is let go");
+      throw std::invalid_argument("stop must be more than -angle = " + short_text(-p.number("angle")) +
+                                  " degrees, where the rod is released, but is " +
+                                  short_text(p.number("stop")));
     const int frame = world_.add_fixed(Vec3::Zero());
     const Vec3 half(rod_thickness, rod_thickness, s_);
     rod_ = world_.add({.x = turned(-angle0) * Vec3(0, 0, -s_),

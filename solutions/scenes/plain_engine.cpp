@@ -11,7 +11,8 @@ namespace spook {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("engine plain cannot run a scene with " + what + ": use engine fast");
+  throw std::invalid_argument("the plain engine (--engine plain or mine) cannot run a scene with " + what +
+                              ": leave out --engine");
 }
 
 template <int Dof>
@@ -38,9 +39,9 @@ template <int Dof>
 void refuse_what_no_step_has(const World<Dof>& world) {
   const Settings<Dof>& settings = world.settings();
   if (settings.wrench) refuse("a wrench");
-  if (settings.force && !is_free(world)) refuse("a field of force on what touches, turns or is joined");
+  if (settings.force && !is_free(world)) refuse("a force field on bodies that touch, turn or have joints");
   if (settings.integrator_order == 4 && !is_free(world))
-    refuse("composed steps of what is more than point masses");
+    refuse("--integrator-order 4 and bodies other than free point masses");
   if (turns_otherwise(world)) refuse("a rotation update other than splitting");
   if (world.materials().any()) refuse("materials of single bodies");
   if (!world.shapes().exclusions.lists().empty()) refuse("excluded contacts");

@@ -94,7 +94,7 @@ SceneDescription slide_to_roll() {
        .answer =
            "It slides for 2 v0/(7 mu g), over 12 v0²/(49 mu g), then rolls with 5/7 v0: a speed that depends "
            "on neither mu, nor mass, nor radius.",
-       .error_name = "largest error of x over the way it slid, or of the spin over its last, the larger",
+       .error_name = "larger of two errors: of x over the sliding distance, of the spin over its final value",
        .error_unit = "relative",
        .parameters = {parameter::speed(3), parameter::friction(0.2), parameter::mass(), parameter::radius(),
                       parameter::gravity(), parameter::stiffness(), parameter::relaxation(),

@@ -106,7 +106,7 @@ SceneDescription sliding_block() {
        .answer = "By Coulomb it stops after v0/(mu g) and v0²/(2 mu g), for any mass and heading. By the "
                  "friction box each tangent's component stops on its own: max(|cos φ|, |sin φ|) of that time, "
                  "√(cos⁴φ + sin⁴φ) of that distance, φ from a tangent to the heading.",
-       .error_name = "largest position error over the distance by Coulomb, v0²/(2 mu g) at its end",
+       .error_name = "largest position error over the distance slid by Coulomb's law, at last v0²/(2 mu g)",
        .error_unit = "relative",
        .parameters = {parameter::speed(3),
                       parameter::friction(),

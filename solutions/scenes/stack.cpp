@@ -75,7 +75,7 @@ SceneDescription stack() {
           .summary = "A vertical pile of spheres comes to rest; one may be heavy.",
           .answer =
               "gap_i = -N_i/k, N_i the weight of all that rests on contact i. On stiff contacts Gauss-Seidel "
-              "needs some ratio ln(1/tolerance) sweeps for a heavy sphere on a light one, and few for the "
+              "needs about ratio · ln(1/tolerance) sweeps for a heavy sphere on a light one, and few for the "
               "reverse.",
           .error_name = "largest error of the last gaps over the largest gap",
           .error_unit = "relative",

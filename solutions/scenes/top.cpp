@@ -111,7 +111,7 @@ SceneDescription top() {
                           .meaning = "how q and ω are moved on",
                           .choices = {"splitting", "first_order", "exponential"}},
                          {.name = "gyroscopic",
-                          .meaning = "the gyroscopic torque, explicitly; splitting always has it",
+                          .meaning = "adds the gyroscopic torque explicitly; update=splitting always has it",
                           .choices = {"on", "off"}}},
           .h = 0.01,
           .time = 40,

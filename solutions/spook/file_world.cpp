@@ -320,7 +320,7 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
   const std::vector<int> first = joined(world);
   const auto refuse = [&](int points, int other) {
     if (first[static_cast<std::size_t>(points)] == first[static_cast<std::size_t>(other)]) return;
-    if (shapes.exclusions.exclude(points, other)) return;
+    if (shapes.exclusions.excludes(points, other)) return;
     const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
     throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
                                 ": give it another shape, or set settings.points_pass");

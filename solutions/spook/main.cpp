@@ -31,9 +31,9 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--contact-margin", run.contact_margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
-  command->add_option("--max-parts", run.max_parts, "Most parts of a step: a power of two up to 1024");
+  command->add_option("--max-parts", run.max_parts, "Most parts into which a step is divided, up to 1024");
   command->add_option("--threads", run.threads, "Number of worker threads");
-  command->add_option("--soft-steps", run.soft_steps, "Soft steps, of 1 to 1024 substeps, as in game engines");
+  command->add_option("--soft-steps", run.soft_steps, "Soft steps, as in game engines: number of substeps");
   command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 09");
   return command;
 }

@@ -48,11 +48,11 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
 }
 
 static std::string steps_text(const Method& method, const RunResult& result) {
-  std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
-                     short_text(static_cast<double>(result.steps) * method.h) + " s";
+  std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s";
+  if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
+  text += ", " + short_text(static_cast<double>(result.steps) * method.h) + " s";
   if (result.start > 0) text += ", restarted at " + short_text(result.start) + " s";
   if (method.threads > 1) text += " on " + counted(method.threads, "thread");
-  if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
   if (method.engine == Engine::plain) return text + "; plain engine, exercise " + result.plain_step;
   return method.integrator_order == 4 ? text + "; composed to order four" : text;
 }

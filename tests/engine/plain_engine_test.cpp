@@ -141,7 +141,8 @@ TEST(PlainEngine, RunsEverySceneOrSaysWhyNot) {
     try {
       plain_step_of(*plain, method);
     } catch (const std::invalid_argument& error) {
-      EXPECT_TRUE(std::string(error.what()).starts_with("engine plain cannot run a scene with "))
+      EXPECT_TRUE(std::string(error.what())
+                      .starts_with("the plain engine (--engine plain or mine) cannot run a scene with "))
           << error.what();
       refused.push_back(description.name);
       continue;

@@ -186,7 +186,7 @@ class Grid(unittest.TestCase):
         # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
         self.assertAlmostEqual(held, 950, delta=4 * math.sqrt(trials * 0.95 * 0.05), msg="seed 2")
         said = as_text(of_h("1/10", "1/20", "1/40", error=lambda h: 3 * h ** 2))
-        self.assertIn("order by a line through all runs", said)
+        self.assertIn("order of all runs", said)
         self.assertEqual(json.loads(as_json(of_h("0.4", "0.2", "0.1")))["fits"][0]["runs"], 3)
         self.assertNotIn("-0.00", as_text(of_h("0.2", "0.1", error=lambda h: 1 + 1e-5 / h)))
 
@@ -539,7 +539,7 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0"], ["h must be"]),
                             (["orbit", "--sweep", "hh=0.1,1"], ["hh"]),
                             (["stack", "--sweep", "warm_start=1,2"], ["'2'"]),
-                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "no/a.csv"], ["no/a.csv", "written"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "no/a.csv"], ["no/a.csv", "that you may write"]),
                             (["orbit", "--csv", "a.parquet"], ["a.parquet", "--sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "h=1,2"], ["h is swept twice"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),

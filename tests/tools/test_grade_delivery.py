@@ -613,7 +613,7 @@ class Doubts(Finds):
         for words, answer, asked in (((), "y", True), ((), " YES ", True), ((), None, False), (("--yes",), "n", False)):
             graded, told = self.grade(*words, answer=answer)
             self.assertEqual((graded, "Grade these? [y/N] " in told), (["all"], asked), (words, answer))
-            self.assertEqual("Taken for a submission each: Downloads, Music, Work." in told, not words, told)
+            self.assertEqual("Each of these is taken for one submission: Downloads, Music, Work." in told, not words, told)
 
     def test_a_class_is_not(self):
         for files in (Delivered.MOODLE, {"ann/kick.cpp": KICK, "bo/kick.cpp": KICK, "cy/essay.docx": b"x"},
@@ -638,7 +638,7 @@ class Told(Finds):
 
     def test_a_right_file_that_is_not_asked_for(self):
         note, = self.notes({WHERE: KICK}, ("drift",))
-        self.assertEqual(note, f"of exercises that are not asked for now: {WHERE} (1.1 kick)")
+        self.assertEqual(note, f"files of exercises that are not graded this time: {WHERE} (1.1 kick)")
         for also in ("chapters/drift.cpp", "chapters/01_leapfrog/drift.cpp", "chapters/08_pairs/plane_ball.cpp"):
             self.assertEqual(self.notes({WHERE: KICK, also: b"x"}), [], also)
 

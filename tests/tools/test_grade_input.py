@@ -184,7 +184,7 @@ EXERCISE_TEST(Kick, HoldsForDrawnForces) {
         report = marks.report("wrong")
         self.assertIn("./course check 1.1 --seed 512345", report)
         self.assertNotIn("987654", report)
-        self.assertIn("Seed 512345, of hidden tests 987654;", (marks.folder / "summary.md").read_text())
+        self.assertIn("Seed 512345, seed of hidden tests 987654;", (marks.folder / "summary.md").read_text())
 
     def test_exercises_are_chosen_and_count_alike(self):
         """Others are neither tested nor missing, and hidden tests of theirs stop nothing; each chosen one has a point."""

@@ -159,7 +159,7 @@ class Import(unittest.TestCase):
                  "<equality><tendon name='t'/></equality>"))
         for words in ("edges of planes", "geom \"ground\" of type hfield",
                       "stiffness of ball joints", "frictionloss of joints", "limits of ball joints",
-                      "damping of ball joints", "equality tendon \"t\"", "tendon: 1", "of several joints at a body"):
+                      "damping of ball joints", "equality tendon \"t\"", "tendon: 1", "bodies with several joints"):
             self.assertIn(words, said)
         self.assertNotIn("sensor", said)
 

@@ -45,8 +45,8 @@ class Races(unittest.TestCase):
                                                  "solve_in_colours.cpp:3 reads it", "    three;"])
 
     def test_a_shared_number_is_told_from_a_shared_pack(self):
-        self.assertIn("their largest in one variable", self.explained()[5])
-        self.assertIn("Is a pack in two shares?", self.explained(inside=UPDATE)[5])
+        self.assertIn("the largest change into one variable", self.explained()[5])
+        self.assertIn("Is a pack given to two threads?", self.explained(inside=UPDATE)[5])
 
     def test_where_it_does_not_link(self):
         class Without:
@@ -109,13 +109,13 @@ class Checked(unittest.TestCase):
                           code=1)
         self.assertIn("14.5 solve_in_colours is wrong: has a data race (1 of ", said)
         self.assertRegex(said, r"chapters/14_fast_rows/solve_in_colours\.cpp:\d+ writes it last = most;")
-        self.assertIn("Do all threads keep their largest in one variable?", said)
+        self.assertIn("Do all threads write the largest change into one variable?", said)
 
     def test_a_pack_in_two_shares(self):
         said = self.check(("end = n * (thread + 1) / threads;", "end = std::min(n, n * (thread + 1) / threads + 1);"),
                           code=1)
         self.assertIn("has a data race", said)
-        self.assertIn("Is a pack in two shares?", said)
+        self.assertIn("Is a pack given to two threads?", said)
         self.assertIn("SolveInColours.IsTheSameOnAnyNumberOfThreads fails, too", said)
 
 

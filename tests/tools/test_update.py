@@ -646,7 +646,7 @@ class WhereItCanNotBe(Updating):
         self.write(KICK, MINE)
         outside = {"GIT_CEILING_DIRECTORIES": str(self.here)}
         said = self.refused(lines=0, **outside)
-        for text in ("no history in git", "--from ADDRESS", "git clone ADDRESS", KICK):
+        for text in ("no git history", "--from ADDRESS", "git clone ADDRESS", KICK):
             self.assertIn(text, said)
         self.updated("--from", str(self.original), **outside)
         self.assert_is_release(but=(KICK,))

@@ -132,7 +132,7 @@ class Picture(Viewer):
                 self.browser.drawn()
                 self.assertEqual(self.ask(arrows.format(where)), drawn)
                 self.assertEqual(self.ask(arrows.format("crowded" if where == "arrows" else "arrows")), 0)
-                self.assertEqual("from a fifth" in self.ask("document.getElementById('arrow-key').textContent"),
+                self.assertEqual("below a fifth" in self.ask("document.getElementById('arrow-key').textContent"),
                                  where == "crowded")
                 self.click("show-impulses")
 

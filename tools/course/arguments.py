@@ -149,7 +149,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("slides", "make a chapter's slides from its lesson: one HTML file that prints, with notes")
     command.add_argument("which", metavar="N", help="a chapter")
     command.add_argument("--out", metavar="FILE", help="output file (default: build/slides/NN_topic.html)")
-    command = add("exam", "print exam questions and their answers, drawn by a seed")
+    command = add("exam", "print exam questions with numbers drawn by a seed; --answers adds the answers")
     command.add_argument("chapters", nargs="?", type=pick_list, metavar="LIST",
                          help="chapters and exercises: 1-5, or 1-7,8.1-8.4")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of numbers, signs and conventions (default: 1)")
@@ -167,7 +167,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")
-    command.add_argument("--out", metavar="FILE", help="output file (default: print text formats)")
+    command.add_argument("--out", metavar="FILE", help="output file; a folder for autolab and students (default: text "
+                                                       "is printed, a kit has its usual name)")
     command.add_argument("--chapters", type=pick_list, metavar="LIST",
                          help="chapters and exercises to export: 1-5, or 1-7,8.1-8.4 (default: all)")
     command.add_argument("--hidden", metavar="DIR", help="folder of hidden tests for the platform")
@@ -219,7 +220,7 @@ def _add_play(command: Parser) -> None:
     command.epilog = ("Also accepts --fps and the options of ./course run for scene and solver,\n"
                       "except --integrator-order. Only this machine can open the page; leaving the\n"
                       "page, or Ctrl-C, ends the run.")
-    command.add_argument("--mine", action="store_true", help="use your exercises; a save continues with the new code")
+    command.add_argument("--mine", action="store_true", help="use your exercises; a save restarts the run with the new code")
     command.add_argument("--port", type=_port, metavar="N", help="port of the local server (default: any free port)")
     command.add_argument("--no-open", action="store_true", help="print the address without opening a browser")
 
@@ -253,8 +254,8 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--isolation", choices=ISOLATIONS, metavar="NAME",
                          help=f"isolation of submissions (default: the first that works of {', '.join(ISOLATIONS)})")
     command.add_argument("--fresh", action="store_true",
-                         help="grade everything again, ignoring earlier results; if interrupted, the command without "
-                              "it goes on")
+                         help="grade everything again, ignoring earlier results; after an interruption continue "
+                              "without --fresh")
     command.add_argument("--prepare", action="store_true",
                          help="only install missing packages, build, and test the reference")
     command.add_argument("--yes", action="store_true", help="install without asking")

@@ -93,12 +93,12 @@ def show_milestone(folder: str) -> None:
         print(f"  {command}")
     if command := own_step(folder):
         step = _step_of(folder)
-        print("  By a step of your own:" if step.started() else f"  By a step of your own, once you have written {step.label}:")
+        print("  By your own step:" if step.started() else f"  By your own step, once you have written {step.label}:")
         print(f"  {command}")
     left_out = [exercise.id for exercise in all_exercises()
                 if exercise.folder == folder and exercise.function in not_shown(folder)]
     if left_out:
-        print(fold(f"No scene calls {', '.join(left_out)}; ./course try does, such as ./course try {left_out[0]}.", "  "))
+        print(fold(f"The commands above do not call {', '.join(left_out)}; to run it: ./course try {left_out[0]}.", "  "))
 
 
 def _step_of(folder: str) -> Exercise:

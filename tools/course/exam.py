@@ -35,7 +35,7 @@ def exam(arguments) -> int:
     partly = [one for one in questions if known.intersection(one.exercises) and one not in chosen]
     if partly:
         lacking = "; ".join(f"{one.id} lacks {', '.join(sorted(set(one.exercises) - known, key=_place))}" for one in partly)
-        print(fold(f"Not asked, since exercises of the objective are not in the list: {lacking}."), file=sys.stderr)
+        print(fold(f"Left out are questions whose exercises are not all in LIST: {lacking}."), file=sys.stderr)
     if not chosen:
         raise BadInput(f"exam: no question is about {named} alone")
     print(f"# Chapters {named.replace(',', ', ')}, seed {seed}" + (", with answers" if arguments.answers else ""))

@@ -17,9 +17,9 @@ Of the course:
                           parameters, and a table of errors; with observed
                           orders in h, d or k, and means over seed. A list
                           after --set is swept, too. --csv FILE has the table
-  --shard I/N             Of a sweep: only each N-th run, from the I-th
-  --merge FILE ...        Of a sweep: no runs, but those of its shards' --csv
-  --slurm N               Of a sweep: as an array of N on an existing Slurm
+  --shard I/N             With --sweep: only every N-th run, from the I-th on
+  --merge FILE ...        With --sweep: joins the tables of --shard, by --csv
+  --slurm N               With --sweep: as an array of N on an existing Slurm
 """
 
 
@@ -109,7 +109,7 @@ def _values(text: str) -> tuple[str, tuple[str, ...]]:
     if not name or not all(each):
         raise BadInput(f"run: --sweep must be NAME=VALUE,VALUE, but is {text!r}")
     if len(each) != len(set(each)):
-        raise BadInput(f"run: --sweep has one of {values} twice")
+        raise BadInput(f"run: --sweep {text} has a value twice; leave one out")
     return name, each
 
 

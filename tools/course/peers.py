@@ -18,7 +18,8 @@ def require() -> None:
         raise CourseError(f"{NAME} needs at least one other engine, which ./course start does not install:  "
                           f"{install_line(missing)}")
     if missing:
-        print(fold(f"Without {', '.join(missing)}:  {install_line(missing)}"), file=sys.stderr)
+        print(fold(f"Not compared, since not installed: {', '.join(missing)}. To install:  {install_line(missing)}"),
+              file=sys.stderr)
     # CMake looks anew for what it had not found, and forgets nothing that it had.
     found = " ".join(need.package for need in PEER_NEEDS if need.there())
     if RELEASE.setting("SPOOK_PEERS") != "ON" or RELEASE.setting("SPOOK_PEERS_FOUND") != found:

@@ -38,7 +38,7 @@ def pick_list(text: str) -> tuple[Exercise, ...]:
         ends = _RANGE.fullmatch(part.strip())
         first, last = (pick(ends[1])[0], pick(ends[2])[-1]) if ends else (None, None)
         if ends and order.index(first) > order.index(last):
-            raise BadInput(f"{part.strip()!r} ends before it begins")
+            raise BadInput(f"{part.strip()!r} ends before it begins; write the earlier exercise first")
         chosen.update(order[order.index(first): order.index(last) + 1] if ends else pick(part.strip()))
     return tuple(exercise for exercise in order if exercise in chosen)
 

@@ -121,8 +121,8 @@ def _run(ours: Playground) -> int:
         output = printed.read_text(encoding="utf-8", errors="replace")
         print(crash.without_assertion(output).rstrip(), flush=True)
         if timed_out:
-            raise CourseError(f"it did not end within {time_limit():g} s of processor time, or {clock_limit():g} s; "
-                              "does a loop never end?")
+            raise CourseError(f"the program did not end within {time_limit():g} s of processor time, or "
+                              f"{clock_limit():g} s on the clock; does a loop never end?")
         if code < 0:
             where = crash.place(program, trace, [ours, *mine])
             name = signal.Signals(-code).name

@@ -95,7 +95,8 @@ def _pick(word: str) -> list[Experiment]:
     known = experiments()
     if word == "all":
         if not peers.any_there():
-            print(f"Without {peers.NAME}: no other engine is installed; ./course plot {peers.NAME} lists them.\n")
+            print(f"The experiment {peers.NAME} is left out, since no other engine is installed; ./course plot "
+                  f"{peers.NAME} says how to install one.\n")
             known = [experiment for experiment in known if experiment.name != peers.NAME]
         return known
     chosen = [experiment for experiment in known if word in (experiment.name, experiment.source.parent.name)]
@@ -125,7 +126,8 @@ def _one(experiment: Experiment, arguments) -> int:
     figure = _draw(experiment, bool(mine), arguments.format or ("svg" if arguments.publish else "png"))
     if arguments.publish:
         if code != 0 or mine or arguments.quick:
-            raise CourseError("--publish needs the reference in full size, with true claims")
+            raise CourseError("plot: --publish needs the reference, in full size, with true claims: leave out --mine "
+                              "and --quick")
         figure = Path(shutil.copy(figure, experiment.source.parent))
     print(f"figure: {shown(figure)}\n", flush=True)
     return code

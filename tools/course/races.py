@@ -16,9 +16,9 @@ _RACE = "WARNING: ThreadSanitizer: data race"
 _DOES_NOT_START = "FATAL: ThreadSanitizer"  # on Linux where addresses are chosen more freely than it expects
 _ACCESS = re.compile(r"^ *(?:Previous )?(?:atomic )?(read|write) of size ", re.IGNORECASE)
 _INSIDE_AN_UPDATE = re.compile(r"\bupdate_pack\b")
-_SHARED_PACK = "Is a pack in two shares? Does a colour begin before all threads are done with the last one?"
-_SHARED_NUMBER = ("Do all threads keep their largest in one variable? Give each thread its own, and combine them in "
-                  "`next`, where no thread works.")
+_SHARED_PACK = "Is a pack given to two threads? Does a colour begin before all threads have finished the colour before it?"
+_SHARED_NUMBER = ("Do all threads write the largest change into one variable? Give each thread its own, and combine "
+                  "them in `next`, which runs while no thread works.")
 
 
 @dataclass(frozen=True)

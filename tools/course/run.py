@@ -18,7 +18,7 @@ from provenance import write_manifest
 from runs import Runs, is_parquet, value_of
 from terminal import fold
 
-_CHECKS = "Their checks are on, as in ./course check, so they run below full speed."
+_CHECKS = "All chapters' functions run with checks, as in ./course check, so the run is slower than usual."
 
 
 def run(arguments: list[str]) -> int:

@@ -142,7 +142,8 @@ class Runs:
                 found[tuple(point.items())] = Result(point, run if "error" in run else None, why)
             if part in failed and not text:
                 print(fold_lines(f"part {part} of {self._extras.slurm} failed: {failed[part]}", "  "), file=sys.stderr)
-        results = [found.get(tuple(point.items()), Result(point, None, "its part failed")) for point in points]
+        results = [found.get(tuple(point.items()), Result(point, None, "the Slurm part with this run failed"))
+                   for point in points]
         return results, [], max((1 for result in results if result.run is None), default=0)
 
     def _refusal(self, words: list[str], folder: Path) -> str:
@@ -204,7 +205,7 @@ def _require_writable(file: str) -> None:
     """Checks that the result can be written before time is spent on runs; nothing is changed yet."""
     path = Path(file)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
-        raise BadInput(f'run: csv "{file}" cannot be written')
+        raise BadInput(f'run: --csv must be a file in an existing folder that you may write, but is "{file}"')
 
 
 def _require_other(csv: str, scene: str) -> None:

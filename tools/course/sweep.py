@@ -108,7 +108,7 @@ def _order_note(sweep: Sweep) -> list[str]:
         return []
     name = next(name for name in ORDERED if name in sweep.axes)
     rest = ", all else equal" if len(sweep.axes) > 1 else ""
-    note = f"order p: the error is proportional to {name}^p, from each line and the one before{rest}"
+    note = f"order p: the error is proportional to {name}^p; computed from each row and the row before{rest}"
     return ["", *fold(note).splitlines()]
 
 
@@ -134,7 +134,8 @@ def _fit_lines(sweep: Sweep) -> list[str]:
     lines = [[*found[0].point, "runs", "order", "±"]]
     lines += [[*fit.point.values(), str(fit.runs), _shown(fit.order, "", ".2f"), _shown(fit.half_width, "", ".2g")]
               for fit in found]
-    return ["", *fold(f"order by a line through all runs{part}, with its 95 % confidence interval").splitlines(), "",
+    told = f"order of all runs{part}, by a straight line in log(error), with its 95 % confidence interval"
+    return ["", *fold(told).splitlines(), "",
             *_aligned(lines, kept=len(lines[0]), left=len(found[0].point))]
 
 

@@ -139,8 +139,9 @@ def _undo(dry: bool) -> int:
     done = record.last()
     branch, head = asked("symbolic-ref", "-q", "HEAD"), git("rev-parse", "HEAD")
     if branch != done.branch or head not in (done.commit_before, done.commit_after):
-        raise CourseError(f"since the update to {done.release_after} there are commits, or another branch is checked "
-                          f"out; the commit before it is {done.commit_before[:12]} (nothing was changed)")
+        raise CourseError(f"the update to {done.release_after} cannot be undone: there are commits since, or another "
+                          f"branch is checked out. With git, go back to {done.commit_before[:12]}, the commit before "
+                          f"it (nothing was changed)")
     back = {new: old for old, new in homes(pairs(trees.read(done.commit_before), trees.read(done.commit_after))).items()
             if new}
     made = plan(done.files_after, done.files_before, {path: back[path] for path in back if path in done.files_after})

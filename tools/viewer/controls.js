@@ -7,7 +7,7 @@ const SWITCHES = [
   ["friction", "friction limits", "the cone or the box that an impulse has to stay in"],
   ["velocities", "velocities", "velocity of each body"],
   ["pairs", "pairs", "lines between bodies in contact"],
-  ["colours", "colours", "lines between bodies in contact, in the colours of chapter 14: one colour shares no body"],
+  ["colours", "colours", "lines between bodies in contact; lines of one colour have no body in common (chapter 14)"],
   ["paths", "paths", "the way that bodies have come"],
   ["ghosts", "answer", "where the answer says the bodies should be"],
 ];
@@ -77,7 +77,7 @@ class Controls {
                                       title: "length of arrows, at a fixed scale", id: "arrow-scale" });
     slider.oninput = () => { shown.scale = 10 ** Number(slider.value); this.viewer.dirty(); };
     slider.hidden = shown.automatic;
-    const title = "the longest arrow of each frame has one length; else there is one scale for all frames";
+    const title = "on: the largest impulse of each frame has the same length; off: one scale for all frames";
     const button = this.toggle("automatic", "arrows fit", title, () => shown.automatic, (on) => {
       slider.hidden = on;
       this.rebuildWith({ automatic: on });

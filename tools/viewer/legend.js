@@ -32,7 +32,7 @@ class Legend {
     const [part] = picture.parts, { shown } = picture, said = [];
     if (!part || !picture.frames) return;
     if (shown.impulses) said.push(`longest impulse ${inUnit(largestOf(impulsesOf(picture.frames[0])), "N s")}`);
-    if (shown.impulses && leastDrawn(picture.frames[0]) > 0) said.push("arrows from a fifth of it");
+    if (shown.impulses && leastDrawn(picture.frames[0]) > 0) said.push("impulses below a fifth of it have no arrow");
     if (shown.velocities || shown.tint === "speed") said.push(`fastest ${inUnit(largestOf(velocitiesOf(picture.frames[0])), "m/s")}`);
     const node = document.getElementById("height"), { height } = picture.panel(0);
     if (node) node.textContent = `from bottom to top ${inUnit(picture.camera.pixel(height) * height, "m")}`;

@@ -72,7 +72,7 @@ def bounces(draw: Draw):
     h, e, n = draw.of(1, 2, 3), draw.of(0.5, 0.7, 0.9), draw.whole(2, 4)
     total = math.sqrt(2 * h / 9.81) * (1 + e) / (1 - e)
     return (f"A ball falls from {h} m, with e = {e} and g = 9.81 m/s². How high is bounce {n}, and after which time has it "
-            "come to rest? Which velocity does leapfrog need for it?",
+            "come to rest? Which velocity must leapfrog use in the impact?",
             f"{said(h * e ** (2 * n), 'm')}, {said(total, 's')}; that at the time of the positions, W + W_f/2")
 
 
@@ -111,7 +111,7 @@ def couple_of_two_points(draw: Draw):
 @asks(8, 3, "8.9 8.10 8.11")
 def level_of_a_body(draw: Draw):
     n, size = draw.of(1000, 4000, 20000), draw.of(0.3, 0.7, 1.5, 3, 6)
-    return (f"How many pairs have {n} bodies? On which level of the spatial hash, with cells of 2^l m, lies a body whose "
+    return (f"How many pairs do {n} bodies form? On which level of the spatial hash, with cells of 2^l m, lies a body whose "
             f"longest side is {size} m?", f"{n * (n - 1) // 2}; {math.ceil(math.log2(size))}")
 
 
@@ -143,7 +143,7 @@ def bound_of_a_stack(draw: Draw):
             said(mu * (n - k) * m * 9.81, "N"))
 
 
-@asks(9, 2, "9.1 9.4 9.5 9.6 9.8 9.9")
+@asks(9, 2, "9.1 9.4 9.5 9.6 9.8")
 def onto_the_disc(draw: Draw):
     lt, ln, mu = draw.of((3, 4), (6, 8), (5, 12)), draw.whole(4, 20), draw.of(0.25, 0.5)
     size, bound = math.hypot(*lt), mu * ln
@@ -161,3 +161,13 @@ def rate_of_a_rod(draw: Draw):
     return (f"A thin rod leans with tan θ = 2, and its end is {'pushed ahead' if ahead else 'dragged behind'}. nᵀKt is "
             f"{'+' if ahead else '−'}0.75 nᵀKn, and μ = {mu}. What happens to sweeps on the cone?",
             f"ρ = {said(rho)}: {does}")
+
+
+@asks(9, 4, "9.9")
+def rows_for_any_solver(draw: Draw):
+    balls, joints, mu = draw.whole(3, 12), draw.whole(2, 3), draw.of(0, 0.4)
+    rows = 3 * joints + balls * (3 if mu else 1)
+    return (f"{balls} balls touch a floor and nothing else, and {joints} pairs of them hang together by ball joints. "
+            f"μ = {mu}. How many rows does step_rows return, and for how many contacts does it list friction? May a "
+            "solver change the velocities of the bodies?",
+            f"{rows} rows; {balls if mu else 0}; no: it changes λ and V, and finish_step adds V")

@@ -16,8 +16,8 @@ def safe_warm_start(draw: Draw):
 @asks(10, 2, "10.3 10.4 10.5")
 def lead_of_an_order(draw: Draw):
     k, s, rho = draw.whole(3, 15), draw.whole(2, 8), draw.of(0.9, 0.96, 0.81)
-    return (f"Jacobi's iteration reduces an error by {rho} a sweep in a stack. By which factor does a Gauss-Seidel sweep "
-            f"reduce it, upwards and downwards? How many sweeps down leave row {k} where {s} sweeps up leave it?",
+    return (f"Jacobi's iteration multiplies an error by {rho} a sweep in a stack. By which factor does a Gauss-Seidel sweep "
+            f"multiply it, upwards and downwards? After how many sweeps down is λ of row {k} as after {s} sweeps up?",
             f"{said(rho * rho)}, in either order; {s + k}")
 
 
@@ -134,8 +134,8 @@ def frequency_in_a_step(draw: Draw):
     q, alpha = draw.of(1, 4, 20), draw.of(0.25, 1)
     value = q / (1 + alpha * q)
     return (f"A spring has h²k/m = {q}. The mass in the step is m + αh²k, with α = {alpha}. What is (hω̃)², and is it "
-            "stable? A method loses 2 per cent of the energy at h and 1 per cent at h/2. Does it damp?",
-            f"{said(value)}, stable; yes: of first order")
+            "stable? Which of (12.6) and (12.8) damps a swing, and why?",
+            f"{said(value)}, stable; (12.8), which is implicit Euler; (12.6) is the same forwards and backwards in time")
 
 
 @asks(12, 4, "12.4")
@@ -182,8 +182,8 @@ def motor_of_a_joint(draw: Draw):
 @asks(13, 4, "13.2")
 def torque_of_a_shift(draw: Draw):
     d, J = draw.of(0.2, 0.5, 2), draw.of(1, 3, 8)
-    return (f"A drawer is {d} m open, and its guide exerts on it {J} N s across. How much spurious angular momentum appears "
-            "without the second term? Does a smaller step help?", f"{said(d * J, 'N m s')}; no")
+    return (f"A drawer is {d} m open, and its guide exerts on it {J} N s across. How much spurious angular momentum "
+            f"appears without the second term of the row? Does a smaller step help?", f"{said(d * J, 'N m s')}; no")
 
 
 @asks(14, 1, "14.1 14.2")

@@ -49,7 +49,7 @@ def _grades(what: str, results: list[dict], arguments) -> int:
     roster = read_roster(Path(arguments.roster))
     for name, reason in grades.not_on_it(results, roster).items():
         why = one_line(reason) or f"not in {arguments.roster}"
-        print(f"{why}, and so not in the import: {one_line(name)}", file=sys.stderr)
+        print(f"left out of the import: {one_line(name)}: {why}", file=sys.stderr)
     if what == "canvas":
         return _write(grades.for_canvas(results, roster, arguments.assignment), arguments.out)
     return _write(grades.for_moodle(results, roster), arguments.out)

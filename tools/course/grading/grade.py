@@ -104,7 +104,7 @@ def _ask(delivery: Delivery) -> None:
         print(fold(doubt))
     names = [one_line(one.name) for one in delivery.handed]
     more = f", and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    print(fold(f"Taken for a submission each: {', '.join(names[:_NAMED])}{more}."))
+    print(fold(f"Each of these is taken for one submission: {', '.join(names[:_NAMED])}{more}."))
     if sys.stdin and sys.stdin.isatty() and input("Grade these? [y/N] ").strip().lower() not in ("y", "yes"):
         raise BadInput("grade: nothing was graded; README of tools/course/grading has the forms that are read")
 
@@ -235,10 +235,10 @@ def _of_hidden(grader: Grader) -> str:
     if not grader.unseen:
         return ""
     if grader.hidden_seed == grader.seed:
-        return " (also of hidden tests: reports state it; --hidden-seed gives them another)"
-    return f", of hidden tests {grader.hidden_seed}"
+        return " (also the seed of hidden tests, and reports state it; --hidden-seed sets another one for them)"
+    return f", seed of hidden tests {grader.hidden_seed}"
 
 
 def _say_what_is_open(isolation: Isolation) -> None:
     if isolation.does_not_deny:
-        print(fold(f"This isolation does not deny {isolation.does_not_deny}."), flush=True)
+        print(fold(f"With this isolation a submission can still use {isolation.does_not_deny}."), flush=True)

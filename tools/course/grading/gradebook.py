@@ -173,7 +173,7 @@ def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: boo
 def _of_hidden(results: list[dict]) -> str:
     """Names the other seed of tests that students do not see; results of before it was one have the same seed."""
     other = results[0].get("hidden_seed", results[0]["seed"])
-    return f", of hidden tests {other}" if other != results[0]["seed"] else ""
+    return f", seed of hidden tests {other}" if other != results[0]["seed"] else ""
 
 
 def _exercises(results: list[dict]) -> list[str]:

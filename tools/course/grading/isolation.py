@@ -126,6 +126,9 @@ def choose(name: str = "") -> Isolation:
         if not problem:
             return candidate
         tried.append(f"  {candidate.name}: {problem}")
+    if name:
+        raise CourseError(f"--isolation {name} does not work here; leave it out, install bubblewrap, or do not grade as root",
+                          "\n".join(tried))
     raise CourseError("no way to isolate a submission works here; install bubblewrap, or do not grade as root",
                       "\n".join(tried))
 

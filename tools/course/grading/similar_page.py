@@ -46,9 +46,10 @@ def _stub(exercise: Exercise) -> str:
 def _page(found: Similarity) -> str:
     parts = [_HEAD, "<h1>Submissions that share more than chance explains</h1>",
              "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what "
-             "the stubs and the reference have. A fingerprint that few have counts more. A pair is shown when its "
+             "the stubs and the reference have. Rare fingerprints count more. A pair is shown when its "
              f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have, or when the two "
-             f"share more than {MOST_ALONE:.0%} of what few have. It is a reason to read both, and proves nothing.</p>"]
+             f"have more than {MOST_ALONE:.0%} of their rare fingerprints in common. It is a reason to read both, and "
+             f"proves nothing.</p>"]
     if not found.pairs:
         parts.append("<p>No pair shares unusually much.</p>")
     else:

@@ -112,7 +112,8 @@ def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
     if known:
         more = len(known) - _NAMES_IN_A_NOTE
         told = ", ".join(f"{name[:_NAME]} ({exercise.label})" for name, exercise in known[:_NAMES_IN_A_NOTE])
-        submission.notes.append(f"of exercises that are not asked for now: {told}" + (f" and {more} more" if more > 0 else ""))
+        submission.notes.append(f"files of exercises that are not graded this time: {told}"
+                                + (f" and {more} more" if more > 0 else ""))
     elif seen:
         submission.notes.append(f"{NOTHING_FOUND} {_listed(seen)}")
     elif not any("cannot be read" in note for note in submission.notes):

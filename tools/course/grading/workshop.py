@@ -314,7 +314,8 @@ def _compile_command(wanted: Callable[[dict], bool]) -> list[str]:
     entries = json.loads((CHECK.path / "compile_commands.json").read_text(encoding="utf-8"))
     found = next(filter(wanted, entries), None)
     if not found:
-        raise CourseError(f"{shown(CHECK.path)} does not build what grading starts from; ./course reset brings it back")
+        raise CourseError(f"{shown(CHECK.path)} has no command that compiles an exercise or a test; does git status "
+                          f"name a file of tests/ or CMakeLists.txt as changed?")
     words = shlex.split(found["command"])
     return [*_compiler(words[0]), *words[1:]]
 

@@ -127,7 +127,7 @@ class SceneWriter:
             self._add({"plane": {"n": _list(numbers(plane, "n", 3)), "offset": float(plane.get("offset"))}},
                       plane.get("name", "plane"), np.zeros(3), IDENTITY)
             if any(numbers(plane, "size", None, "0 0")[:2] > 0):
-                self._report.leave_out("edges of planes, which here have none", plane)
+                self._report.leave_out("edges of planes: planes are infinite here", plane)
         for geom in self._model.world.geoms if self._touches else []:
             if not any(geom.masks):
                 continue
@@ -160,7 +160,7 @@ class SceneWriter:
                                    "principal": [_LINK * float(moments.max())] * 3},
                                   f"{part.name}, link {k + 1}", joint.point, IDENTITY)
                 self._report.stand_in(
-                    f"of several joints at a body all but the last lead to a link, of {_LINK:g} of its mass")
+                    f"bodies with several joints: a small body between the joints, of {_LINK:g} of the mass")
             self._join(above, below, joint.point, _held_by(joint, matrix(inverse(self._placed[above][1]))))
             above = below
 
@@ -195,7 +195,7 @@ class SceneWriter:
         self._report.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
             count = len(_points(geoms, kind))
-            self._report.stand_in(f"{kind}s there are points on their surface, {count} each, which planes stop")
+            self._report.stand_in(f"{kind}s in such bodies: {count} points on the surface of each, which planes stop")
         points = np.vstack([geom.points() for geom in geoms])
         return {"corners": [_list(in_axes(q, point - x)) for point in points]}
 
@@ -211,7 +211,7 @@ class SceneWriter:
         if one is two:
             return
         if "relpose" in whole.attrib and any(numbers(whole, "relpose", 7)[3:]):
-            self._report.leave_out(f"relpose of {name}: it holds them as they begin", equality)
+            self._report.leave_out(f"relpose of {name}: the two bodies are held as they begin", equality)
         point = x + matrix(q) @ numbers(whole, "anchor", 3, "0 0 0")
         self._join(self._number(one), self._number(two), point, {} if whole.tag == "connect" else {"kind": "weld"})
 

@@ -76,7 +76,8 @@ class Model:
         self._from_geoms = compiler.get("inertiafromgeom", "auto")
         self._autolimits = compiler.get("autolimits", "true") == "true"
         if compiler.get("coordinate", "local") != "local":
-            raise BadInput("coordinate=\"global\" was given up by MJCF itself: save the model with MuJoCo 2.3 first")
+            raise BadInput("coordinate=\"global\" is no longer part of MJCF: load and save the model with MuJoCo "
+                           "2.3.3 or older first")
         whole = Element("compiler", compiler)
         for name in ("settotalmass", "boundmass", "boundinertia"):
             if numbers(whole, name, 1, "-1")[0] > 0:

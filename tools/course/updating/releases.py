@@ -22,7 +22,7 @@ class Source:
         return address if self.place == self.address else f"{self.place} ({address})"
 
 
-_OF_A_FORK = "if it is a copy of yours, name the original: git remote add upstream ADDRESS"
+_OF_A_FORK = "if this remote is your own copy of the course, name the original: git remote add upstream ADDRESS"
 
 
 def source(given: str | None) -> Source:

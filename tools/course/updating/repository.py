@@ -33,8 +33,9 @@ def has_history() -> bool:
 
 
 def refuse_without_history() -> CourseError:
-    return CourseError("this folder has no history in git, and an update needs it; with the address of the course's "
-                       "repository, ./course update --from ADDRESS adds it first, and keeps your files. Or by hand:",
+    return CourseError("this folder has no git history, which an update needs; ./course update --from ADDRESS, with "
+                       "the address of the course's repository and without --dry-run, adds it and keeps your files. "
+                       "The commands above do it by hand",
                        _by_hand())
 
 
