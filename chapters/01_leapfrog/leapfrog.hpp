@@ -7,7 +7,7 @@
 //   drift    x_{n+1}   = x_n + h v_{n+1/2}               Eq. (1.4)      notes (37)
 //   start    v_{-1/2}  = v_0 - (h/2) f(x_0) / m          Eq. (1.5)      not in the notes
 //
-//   order four   drift h/2, kick h, drift h/2; then parts w, …, w₀, …, w of h, one of them backwards in time:
+//   order four   parts of the lengths w h, …, w₀ h, …, w h, w₀ < 0; in each: drift, kick, drift
 //                w = 1/(2N - ∛(2N)),  w₀ = 1 - 2N w       Eq. (1.11), (1.13)               not in the notes
 //
 //   x   position [m]        f   force [N]          1/m  inverse mass [1/kg]; with 0 no force changes v
@@ -44,14 +44,14 @@ struct Particles {
 using ForceField = std::function<Vec3(std::size_t i, const std::vector<Vec3>& x)>;
 
 /// Exercise 1.4. Makes a step of all bodies: all kicks, with forces at the old positions, then all drifts: Eq. (1.3),
-/// (1.4). A body without a force keeps its velocity. Throws std::invalid_argument, naming h, unless h is positive and
+/// (1.4). A body without a force keeps its velocity. Throws std::invalid_argument that names h if h is not positive and
 /// finite: require_positive("h", h) of common/require.hpp.
 void leapfrog_step(Particles& bodies, const ForceField& force, double h);
 
-/// Exercise 1.5. Makes a step of order four: 2N + 1 leapfrogs of unequal length, the middle one backwards in time, with
-/// N `pairs` of others about it: Eq. (1.11)-(1.13); not in the notes. `v` belongs to the time of `x`, before and after,
-/// so there is no half-step start. Throws std::invalid_argument, naming h unless it is positive and finite, and pairs
-/// unless it is at least 1: reject("pairs", pairs, "at least 1").
+/// Exercise 1.5. Makes a step of order four: N leapfrog steps of the length w h, one of w₀ h backwards in time, and N
+/// of w h again: Eq. (1.11)-(1.13); not in the notes. N is `pairs`. `v` belongs to the time of `x`, before and after,
+/// so there is no half-step start. Throws std::invalid_argument that names h if h is not positive and finite, and one
+/// that names pairs if pairs < 1: reject("pairs", pairs, "at least 1").
 void composed_step(Particles& bodies, const ForceField& force, double h, int pairs);
 
 }  // namespace spook

@@ -15,8 +15,8 @@
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
 //
-// Differs from the notes: (38) there uses the old ω together with the new v of (37). And if only torques
-// change ω, a free body keeps ω. In nature it keeps L.
+// Differs from the notes: (38) there uses the old ω together with the new v of (37). And their (36) changes ω by
+// torques only, without (2.9): then a free body keeps ω, while a real one keeps L.
 #include "01_leapfrog/leapfrog.hpp"
 #include "common/simulation.hpp"
 #include "common/types.hpp"
@@ -35,12 +35,12 @@ Quat update_first_order(const Quat& q, const Vec3& omega, double h);
 /// ω.
 Quat update_exponential(const Quat& q, const Vec3& omega, double h);
 
-/// Exercise 2.4. Inertia in world coordinates from the three principal moments: Eq. (2.7). Given inverse moments
-/// [1/(kg m²)] instead, it is the world's inverse inertia, by the same formula.
+/// Exercise 2.4. Inertia in world coordinates from the three principal moments: Eq. (2.7). With inverse moments [1/(kg
+/// m²)] instead, the same formula gives the inverse inertia in world coordinates.
 Mat3 world_inertia(const Quat& q, const Vec3& principal);
 
-/// Exercise 2.5. The torque [N m] that is added to τ, so that Iω' = τ + τ_gyro means dL/dt = τ: Eq. (2.9). `inertia` is in world
-/// coordinates, like ω.
+/// Exercise 2.5. The gyroscopic torque τ_gyro [N m]: with I ω' = τ + τ_gyro the angular momentum changes by dL/dt = τ,
+/// Eq. (2.9). `inertia` is in world coordinates, like ω.
 Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 
 /// Exercise 2.6. Torque-free motion for `h` [s]: five turns about body axes with L fixed in the world, Eq. (2.11).

@@ -15,11 +15,12 @@
 //
 //   a = 4/(h(1+4d))    b = 4d/(1+4d)    Σ = 4/(h² k (1+4d))                      Eq. (3.4)-(3.6)   notes (9)-(11)
 //
-//   step   λ from W and W_f, W <- W + M⁻¹ Gᵀ λ, then the step of chapter 02       Eq. (3.7), (4.5)
+//   step   λ from W and W_f = h M⁻¹ f;  W <- W + M⁻¹ Gᵀ λ;  then the step of chapter 02   Eq. (3.10)-(3.12)
 //
 //   K   collision matrix, the inverse mass at the contact point [1/kg]; G M⁻¹ Gᵀ is n·Kn  Eq. (3.8), (3.9)
 //
-// Differs from the notes: -a times the *gap*, not Gq nor a positive depth; K is an inverse mass throughout.
+// Differs from the notes: the right-hand side has -a times the signed gap, where they have G q or a positive depth. K
+// is an inverse mass everywhere.
 #include "02_quaternions/quaternions.hpp"
 #include "common/types.hpp"
 
@@ -31,9 +32,8 @@ struct SpookParameters {
   double Sigma;  ///< regularisation [1/kg]
 };
 
-/// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11).
-/// Throws std::invalid_argument, naming the parameter, unless h > 0, k > 0 and d >= 0, all finite: see
-/// common/require.hpp.
+/// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11). Throws std::invalid_argument that names
+/// the parameter, unless h > 0, k > 0 and d >= 0, all finite: see common/require.hpp.
 SpookParameters spook_parameters(double h, double k, double d);
 
 /// A touching or nearly touching pair of bodies. Vectors are in world coordinates. Functions do not check a Contact.
@@ -78,7 +78,7 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 
 /// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32).
 ///   nKn               n·Kn [1/kg]
-///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
+///   gap               signed [m]; an open contact pushes, too, if the numerator of (3.10) is positive
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching
 ///   force_velocity    h G M⁻¹ f, its change by the forces of this step [m/s]; for a sphere on a floor -h 9.81 m/s²
 double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,

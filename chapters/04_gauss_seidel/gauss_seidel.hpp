@@ -18,7 +18,8 @@
 //   V   velocity change of each body so far               W_f   velocity change by this step's forces: h M⁻¹ f
 //   r   residual of a row [m/s]                           Σ     regularisation [1/kg]
 //
-// Differs from the notes: bounds may be two-sided, λ may start warm, and "converged" has a number, Eq. (4.8).
+// Differs from the notes: bounds may be two-sided, λ may start at values other than 0, and Eq. (4.8) measures how far
+// the rows have converged.
 #include <limits>
 #include <string>
 #include <vector>
@@ -61,8 +62,8 @@ struct Row {
   double lambda = 0;          ///< impulse so far [N s]
 };
 
-/// Exercise 4.1. Computes the numbers of a row that are constant during sweeps: Eq. (4.3), (4.4); notes (26), (28). λ =
-/// 0.
+/// Exercise 4.1. Computes the numbers of a row that are constant during sweeps: Eq. (4.3), (4.4); notes (26), (28). Its
+/// λ is 0.
 template <int Dof>
 Row<Dof> make_row(const Constraint<Dof>& constraint, const Motion<Dof>& motion);
 
@@ -81,8 +82,8 @@ double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.5. Residual of S λ = B with bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly
-/// at a solution; a row held at a bound by the right sign counts as solved. Changes nothing.
+/// Exercise 4.5. Residual of S λ = B with bounds, as a velocity [m/s]: Eq. (4.8). It is zero at a solution, and only
+/// there. A row at lo with r <= 0, or at hi with r >= 0, contributes 0. Changes nothing.
 template <int Dof>
 double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);
 
@@ -98,11 +99,10 @@ struct SolveReport {
   std::string trouble = {};     ///< why a later chapter's solver fell back to sweeps; empty if it did not
 };
 
-/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance` (0 counts, too), or `stop.max_sweeps` are
-/// done: Eq. (4.9). With no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ =
-/// 0), and does so on return.
-/// Throws std::invalid_argument, rows or not, that names max_sweeps unless it is >= 1, and tolerance unless it is
-/// >= 0 and finite.
+/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance`, which may be 0, or `stop.max_sweeps` are done:
+/// Eq. (4.9). With no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ = 0), and
+/// does so on return. Throws std::invalid_argument that names max_sweeps if it is < 1, or tolerance if it is negative
+/// or not finite, even if there are no rows.
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 

@@ -30,8 +30,8 @@ struct Tangents {
   Vec3 t1, t2;
 };
 
-/// Exercise 5.1. Tangents with t1 × t2 = n, to a few roundings, for any unit vector `n`: Eq. (5.1); notes, before
-/// (42). Which of the many is free.
+/// Exercise 5.1. Tangents with t1 × t2 = n, up to round-off, for any unit vector `n`: Eq. (5.1); notes, before (42).
+/// There are many such pairs, and any of them will do.
 Tangents tangents(const Vec3& n);
 
 /// Exercise 5.2. The a, b and Σ of a friction row: 0, 1, and Γ of Eq. (5.4); not in the notes.
@@ -41,27 +41,26 @@ SpookParameters friction_parameters(double h, double c);
 
 /// Exercise 5.3. The mass that stands in for the load on one contact [kg]: Eq. (5.6); notes, after (44). Takes the
 /// inverse masses of both bodies [1/kg], of which one may be 0 (it is fixed), and N, the number of contacts between
-/// them.
-/// Throws std::invalid_argument, naming the parameter: inverse_mass_i, inverse_mass_j unless finite and >= 0,
-/// inverse_mass_j when both are 0, and contacts unless >= 1.
+/// them. Throws std::invalid_argument that names inverse_mass_i or inverse_mass_j if it is negative or not finite,
+/// inverse_mass_j if both are 0, and contacts if it is < 1.
 double representative_mass(double inverse_mass_i, double inverse_mass_j, int contacts);
 
-/// Exercise 5.4. The largest impulse of one friction row [N s]: Eq. (5.7); notes (43), (44), but for h.
-/// Throws std::invalid_argument, naming the parameter, unless mu, mass [kg] and normal_gravity [m/s²] are >= 0, and
-/// h [s] > 0, all finite.
+/// Exercise 5.4. The largest impulse of one friction row [N s]: Eq. (5.7); notes (43), (44), where h is missing. Throws
+/// std::invalid_argument, naming the parameter, unless mu, mass [kg] and normal_gravity [m/s²] are >= 0, and h [s] > 0,
+/// all finite.
 double friction_bound(double mu, double mass, double normal_gravity, double h);
 
-/// Exercise 5.5. The two friction constraints of a contact, along t1 and t2 in this order, with bounds ±`bound` [N
-/// s] and the numbers of `spook`: Eq. (5.2), (5.3), (5.8); notes (42)-(44). A bound of 0 is one, too: ice. Their gap
-/// is 0. Nothing is checked.
+/// Exercise 5.5. The two friction constraints of a contact, along t1 and t2 in this order, with bounds ±`bound` [N s]
+/// and the numbers of `spook`: Eq. (5.2), (5.3), (5.8); notes (42)-(44). A bound of 0 is allowed: such a contact has no
+/// friction. Their gap is 0. Nothing is checked.
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
                                                     double bound, const SpookParameters& spook);
 
-/// Exercise 5.6. The friction impulse J = λ1 t1 + λ2 t2 [N s] of one contact alone, + on j and - on i: Eq. (5.3),
-/// each row for itself as when t1·K t2 = 0, then (5.8).
+/// Exercise 5.6. The friction impulse J = λ1 t1 + λ2 t2 [N s] of one contact alone, + on j and - on i: Eq. (5.3) for
+/// each tangent separately, as if t1·K t2 were 0, then (5.8).
 ///   K        collision matrix [1/kg]
-///   u        relative velocity at the contact, that of the forces included [m/s]
+///   u        relative velocity at the contact; it contains u_f, the change by the forces of this step [m/s]
 ///   Gamma    softness Γ [1/kg]
 ///   bound    Λ [N s]
 Vec3 friction_impulse(const Mat3& K, const Vec3& u, const Tangents& tangents, double Gamma, double bound);

@@ -3,20 +3,20 @@
 //
 // Constraints that pull as well as push, so they need no projection.
 //
-//   points       p = x + r of either body                                 Eq. (6.1)
+//   points       p = x + r of each body                                   Eq. (6.1)
 //   distance     g = |p_j - p_i| - l,  n = (p_j - p_i)/|p_j - p_i|        Eq. (6.2)    notes, "Distance constraint"
 //   its row      G = (-n, -r_i×n, n, r_j×n)                               Eq. (6.3)    notes (25)
 //   bounds       -∞ < λ < ∞                                               Eq. (6.4)
 //   ball joint   g = p_j - p_i, three rows                                Eq. (6.5)    not in the notes
 //   their rows   Eq. (6.3) with e1, e2, e3 for n                          Eq. (6.6)    not in the notes
 //   tension      T = -λ/h                                                 Eq. (6.7)
-//   lumped mass  half of each link's, a quarter of each cell's            Eq. (6.10), (6.11)
+//   point's mass half of that of its links, a quarter of its cells'       Eq. (6.10), (6.11)
 //
 //   x   centre of mass [m]          r   from it to the point, in world coordinates [m]
 //   l   target distance [m]         n   from i's point to j's
 //
-// Differs from the notes: a distance and a ball joint are two constraints, of one row and of three. At zero distance a
-// distance has no direction, which is an error.
+// Differs from the notes: a distance and a ball joint are two constraints, of one row and of three. If the two points
+// coincide, a distance constraint has no direction n, and the function throws.
 #include <array>
 #include <vector>
 
@@ -32,8 +32,8 @@ struct Attachment {
 };
 
 /// Exercise 6.1. Holds two points at `length` [m] from each other: Eq. (6.2)-(6.4); notes, "Distance constraint".
-/// Throws std::invalid_argument that names length unless it is positive and finite, and distance unless the two
-/// points are apart by a positive and finite one: where they coincide there is no direction.
+/// Throws std::invalid_argument that names length if it is not positive and finite, and one that names distance if the
+/// distance of the two points is not.
 template <int Dof>
 Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
                                     const SpookParameters& spook);
@@ -57,18 +57,18 @@ struct Net {
   std::vector<Link> links;
 };
 
-/// Exercise 6.3. A straight rope of so many equal links, links + 1 points from `from` to `to`: Eq. (6.10). Point k
-/// is joined to point k + 1 by link k, at rest as it lies. `mass` [kg] is the whole rope's.
-/// Throws std::invalid_argument, naming the parameter, unless links >= 1, mass is positive and finite, the ends are
-/// finite, and length, the distance of the two, is positive.
+/// Exercise 6.3. A straight rope from `from` to `to`, of `links` equal links and links + 1 points: Eq. (6.10). Link k
+/// joins points k and k + 1, and its length is their distance. `mass` [kg] is the whole rope's. Throws
+/// std::invalid_argument that names the parameter, unless links >= 1, mass is positive and finite, the ends are finite,
+/// and their distance, named length, is positive.
 Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 
-/// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and
-/// no diagonals: Eq. (6.11). Its corners are `corner`, corner + u, corner + v and corner + u + v; the point (a, b),
-/// a from 0 to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is
-/// the whole cloth's. The links, at rest as they lie, come in any order.
-/// Throws std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and
-/// finite, corner, u and v are finite, and area, |u × v|, is positive.
+/// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and no
+/// diagonals: Eq. (6.11). Its corners are `corner`, corner + u, corner + v and corner + u + v; the point (a, b), a from
+/// 0 to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is the whole
+/// cloth's. The length of each link is the distance of its points. The links may be in any order. Throws
+/// std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and finite, corner,
+/// u and v are finite, and area, |u × v|, is positive.
 Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
 
 /// Exercise 6.5. Adds joints to the step of chapter 05. Their rows come first, in order, each joint with its own k

@@ -3,7 +3,7 @@
 //
 // Impacts are resolved before the rows are built, pair by pair, with one impulse for each impact.
 //
-//   velocity     u = G (W + W_f/2), at the contact, at the time of the contact    Eq. (7.1)    not in the notes
+//   velocity     u = G (W + W_f/2), at the contact, at t_n                        Eq. (7.1)    not in the notes
 //   target       u'·n = -e u·n,  and u'_t = 0 if it sticks                        Eq. (7.2)    notes (1), (2)
 //   stick        J = K⁻¹ (u' - u)                                                 Eq. (7.3)    notes, before (3)
 //   cone         |J_t| <= μ J_n                                                   Eq. (7.4)    notes (3)
@@ -15,7 +15,7 @@
 //   apply        W_i -= M⁻¹ (J, r_i×J),  W_j += M⁻¹ (J, r_j×J)                    Eq. (7.9)    notes (6), (7)
 //   threshold    an impact if u·n < -threshold                                    Eq. (7.10)   not in the notes
 //
-//   u   velocity of j's contact point relative to i's before, u' after [m/s]     t   direction of the slip, u_t/|u_t|
+//   u, u'   velocity of j's contact point relative to i's, before and after [m/s] t   direction of the slip, u_t/|u_t|
 //   e   restitution, 0 to 1                                                      μ   friction coefficient
 //   K   collision matrix of Eq. (3.8) [1/kg]                                     J   impulse [N s], + on j, - on i
 //
@@ -32,13 +32,13 @@ namespace spook {
 /// regular.
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
-/// Exercise 7.2. Tells whether an impulse does not pull, and lies inside the friction cone about n or on the cone; zero
-/// is the tip of the cone: Eq. (7.4); notes (3).
+/// Exercise 7.2. Tells whether an impulse does not pull (J_n >= 0), and lies inside the friction cone about n or on its
+/// surface: Eq. (7.4); notes (3). True for J = 0.
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
-/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without
-/// slip, |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing unless n·K(n - μt) > 0:
-/// else no such impulse reverses the approach.
+/// Exercise 7.3. The impulse on the surface of the cone, against the slip before the impact: Eq. (7.5); notes (4), (5).
+/// If |u_t| <= 1e-12 |u|, the slip is only round-off, and the impulse is along n. Returns nothing if n·K(n - μt) is not
+/// positive: then no such impulse stops the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.4. Energy that an impulse adds to its two bodies [J]: Eq. (7.6); not in the notes.
@@ -48,9 +48,8 @@ double impact_work(const Mat3& K, const Vec3& u, const Vec3& J);
 /// whatever K, for bodies that approach each other (u·n < 0): Eq. (7.7), (7.8); not in the notes.
 Vec3 safe_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
-/// Exercise 7.6. The impulse of an impact. Zero for u·n >= 0. Else that of Eq. (7.3) if it is inside the cone, else
-/// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) >
-/// 0. Notes (1)-(5).
+/// Exercise 7.6. The impulse of an impact. Zero for u·n >= 0. Otherwise Eq. (7.3), or (7.5) if (7.3) is outside the
+/// cone. If there is no (7.5), or if the impulse adds energy, (7.6) > 0, it is (7.7) instead. Notes (1)-(5).
 Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.7. Adds the velocity changes of the impulse J [N s] at a contact to its two bodies, in `motion.W`:
@@ -68,16 +67,15 @@ struct ImpactLaw {
 
 struct ImpactReport {
   int impacts = 0;
-  int passes = 0;     ///< the last finds no impact, unless there were max_passes; 0 without contacts
+  int passes = 0;  ///< with the last one, which finds no impact unless max_passes ended it; 0 without contacts
   double energy = 0;  ///< energy added by the impacts, with u of Eq. (7.1) [J]; negative if lost
 };
 
-/// Exercise 7.8. The stage: goes through the contacts in order, whatever their gap, and resolves each impact at
-/// once, with the u of Eq. (7.1), so that the next sees what this one did; again and again, until a pass over them
-/// finds no approach faster than the threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity
-/// impacts".
-/// Throws std::invalid_argument, contacts or not, naming the parameter, unless 0 <= restitution <= 1, friction and
-/// threshold are finite and >= 0, and max_passes >= 1.
+/// Exercise 7.8. Goes through all contacts in order, whatever their gap. Resolves each impact at once, with u of (7.1),
+/// so that the next contact has the new velocities. Repeats this until a pass finds no approach faster than the
+/// threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity impacts". Throws std::invalid_argument
+/// that names the parameter, even without contacts, unless 0 <= restitution <= 1, friction and threshold are finite and
+/// >= 0, and max_passes >= 1.
 template <int Dof>
 ImpactReport resolve_impacts(const std::vector<Contact>& contacts, const ImpactLaw& law, Motion<Dof>& motion);
 

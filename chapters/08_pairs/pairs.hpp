@@ -17,7 +17,7 @@
 //   well spread      four of many, around the mean of them all                     Eq. (8.10)   not in the notes
 //   bounds           x ± Σ h_k |e_k|                                               Eq. (8.11)   not in the notes
 //   sweep and prune  in order along one axis, neighbours only are compared         Eq. (8.12)   "sweep-and-prune"
-//   level            cells of 2^l, the smallest that are not below a body's size   Eq. (8.13)   not in the notes
+//   level            cells of 2^l, the smallest 2^l >= the size of a body          Eq. (8.13)   not in the notes
 //   spatial hash     only those that share a cell are compared                     Eq. (8.14)   "spatial hashing"
 //   rate             dg/dt = n·u + dn/dt·(p_j - p_i), and the last term is zero    Eq. (8.15)   notes (22), (23)
 //
@@ -76,21 +76,22 @@ std::optional<Contact> box_ball(const Box& box, const Ball& ball);
 
 /// An axis, and the gap of two boxes along it.
 struct SeparatingAxis {
-  Vec3 n;           ///< unit vector, from i to j
-  double gap;       ///< g(n) of Eq. (8.6) [m]; positive: they don't touch; -∞, without a face, for a NaN
-  int face_i = -1;  ///< 0 to 2: n is along this axis of i, on whose face the contact is
-  int face_j = -1;  ///< 0 to 2: n is along this axis of j, on whose face the contact is
+  Vec3 n;      ///< unit vector, from i to j
+  double gap;  ///< g(n) of Eq. (8.6) [m]. Positive if they do not touch; -∞ for a NaN, all indices then -1
+  int face_i = -1;  ///< 0 to 2: n is along this axis of i; the contact is on the face of i across it
+  int face_j = -1;  ///< 0 to 2: n is along this axis of j; the contact is on the face of j across it
   int edge_i = -1;  ///< 0 to 2: n is perpendicular to this axis of i, and to edge_j of j
   int edge_j = -1;  ///< of the four indices, either one face or both edges are not -1
 };
 
-/// Exercise 8.5. Finds, of 15 axes, that with the least overlap of two boxes: Eq. (8.6), (8.7); not in the notes.
+/// Exercise 8.5. Finds the one of 15 axes along which two boxes overlap least: Eq. (8.6), (8.7); not in the notes.
 ///
 /// Ties are broken so that round-off does not choose between faces that lie on each other. Let the margin be a
 /// millionth of the smallest of all six half sides. Take the best face of i, that of j, and the best pair of edges; of
-/// faces that are equal within the margin, the first counts. Then the face of j replaces that of i, and the edges
-/// replace either, only if its gap is larger by more than the margin plus 5 per cent of the gap before. Parallel edges,
-/// |e × e'| <= 1e-6, have no axis. If axes have g > 0, returns any of them, without a margin.
+/// faces that are equal within the margin, the first counts. Start with the face of i. The face of j replaces it only
+/// if its gap is larger by more than the margin plus 5 per cent of the first gap. By the same rule the edges may
+/// replace the face that is kept. Parallel edges, |e × e'| <= 1e-6, have no axis. If axes have g > 0, returns any of
+/// them, without a margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);
 
 /// Exercise 8.6. Clips a convex polygon, three or more corners in order, to n·x <= offset: Eq. (8.8); not in the notes.
@@ -100,21 +101,22 @@ std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double o
 
 /// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in the
 /// notes. Four or fewer stay unchanged. Of more contacts, not all on one line, four are kept. The deepest is among
-/// them, or one that is less deep by a millionth of their distances. The mean of all points is within the four, to
-/// round-off. They span at least half the largest area of Eq. (8.10). Round-off does not choose: of equal contacts, and
-/// of equal fours, the same ones are kept while gaps and points change by 1e-9 of their distances.
+/// them, or one that is less deep by at most a millionth of the largest distance from the mean. The mean of all points
+/// is within the four, to round-off. They span at least half the largest area of Eq. (8.10). Round-off does not decide.
+/// If several contacts are equally deep, or several choices of four have equal areas, the choice stays the same when
+/// gaps and points change by 1e-9 of the distances.
 std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 
 /// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
 /// (8.6)-(8.10); not in the notes. Each p is in the middle between the two surfaces, along n.
 ///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
-///            of the four sides around the reference face. Its corners with g <= 0 are the contacts, well_spread
+///            of the four sides around the reference face. well_spread keeps four of its corners with g <= 0
 ///   edges    one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
 ///   neither  if clipping leaves no corner: one contact, at the corner of the other box that is deepest along n
 /// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not
-/// clipped. If i and j are not treated alike, the box of the lower body number counts as i: box_box(j, i) equals
-/// box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the accuracy is the same far
-/// from the origin.
+/// clipped. Where the rules treat i and j differently, the box with the lower body number takes the role of i:
+/// box_box(j, i) equals box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the
+/// accuracy is the same far from the origin.
 void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts);
 
 /// A box along the axes of the world.
@@ -130,13 +132,14 @@ using Pair = std::pair<int, int>;
 
 /// Exercise 8.10. Returns all pairs of bounds that overlap or touch, each once, sorted: Eq. (8.12); notes,
 /// "sweep-and-prune". The time is proportional to N log N plus the number of pairs that overlap along one axis. It is
-/// the axis along which the centres are spread farthest. Throws std::invalid_argument, naming lower or upper if one is
-/// not finite, and upper if it is below its lower.
+/// the axis along which the centres are spread farthest. Throws std::invalid_argument that names lower or upper if one
+/// is not finite, and upper if it is below its lower.
 std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 
-/// Exercise 8.11. Returns these pairs by the cells of grids, one grid for each level of size: Eq. (8.13), (8.14);
-/// notes, "spatial hashing". A body's size is its longest side. The time is proportional to the number of bodies plus
-/// the number of pairs that share a cell, for any mixture of sizes. Throws as sweep_and_prune does.
+/// Exercise 8.11. Returns the same pairs as sweep_and_prune, by the cells of grids, with one grid for each level of
+/// size: Eq. (8.13), (8.14); notes, "spatial hashing". A body's size is its longest side. The time is proportional to
+/// the number of bodies plus the number of pairs that share a cell, for any mixture of sizes. Throws as sweep_and_prune
+/// does.
 std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 
 /// Exercise 8.12. Finds the contacts of all bodies at t_n, Eq. (8.1)-(8.12), then continues as the step of chapter

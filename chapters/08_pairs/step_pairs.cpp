@@ -4,7 +4,7 @@
 namespace spook {
 
 SolveReport step_pairs(Simulation& simulation, double h) {
-  // Contacts by Eq. (8.1)-(8.12) where bodies are at t_n, then step_impacts; see pairs.hpp.
+  // Find the contacts at the positions of t_n, Eq. (8.1)-(8.12). Then call step_impacts. See pairs.hpp.
   not_implemented("8.12 step_pairs", simulation, h);
 }
 

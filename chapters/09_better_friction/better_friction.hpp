@@ -9,8 +9,8 @@
 //   sliding tangents    t1 = u_t/|u_t|,  t2 = n × t1                      Eq. (9.2)   notes, "tangential velocities"
 //   cone                |λ_t| <= μ λ_n,  λ_t = (λ_1, λ_2)                 Eq. (9.3)   notes (3)
 //   onto a disc         λ_t min(1, Λ/|λ_t|)                               Eq. (9.4)   not in the notes
-//   stiffest direction  s = (S11 + S22)/2 + √(((S11 - S22)/2)² + S12²)    Eq. (9.5)   not in the notes
-//   update              λ_t <- onto a disc of μ λ_n (λ_t + r_t/s)         Eq. (9.6)   not in the notes
+//   common divisor      s = (S11 + S22)/2 + √(((S11 - S22)/2)² + S12²)    Eq. (9.5)   not in the notes
+//   update              λ_t <- (λ_t + r_t/s) onto a disc of μ λ_n         Eq. (9.6)   not in the notes
 //   residual            s |Eq. (9.6) - λ_t| for tangents, else Eq. (4.8)  Eq. (9.7)   not in the notes
 //
 //   step                impacts and rows: step_rows; any solver; then finish_step
@@ -20,8 +20,8 @@
 //   Λ   limit of the friction impulse [N s]            r_t             residuals of the friction rows, Eq. (4.6) [m/s]
 //
 // Differs from the notes: their scaled box is chapter 05's. With the limits of Eq. (9.3), friction depends on the
-// normal impulses that it changes. No energy falls with every update, so convergence of the sweeps is not guaranteed.
-// The residual shows it.
+// normal impulses that it changes. There is no energy that every update lowers, so the sweeps need not converge. The
+// residual shows whether they have.
 #include "08_pairs/pairs.hpp"
 
 namespace spook {
@@ -47,8 +47,8 @@ void limit_friction(const std::vector<FrictionContact>& contacts, std::vector<Ro
 
 /// Exercise 9.3. Solves in two passes. The first is without friction: friction rows have bounds and λ of 0. The second
 /// has the limits of Eq. (9.1), and starts from the result of the first. All other rows start from their current λ.
-/// Each pass has the whole stop rule, and the history contains both. Converged if the second pass is. Throws as solve
-/// does. V as in solve: before the first pass the initial λ of friction rows are removed from V.
+/// Each pass may make stop.max_sweeps sweeps, and the history has the sweeps of both. Converged if the second pass is.
+/// Throws as solve does. V as in solve: before the first pass the initial λ of friction rows are removed from V.
 template <int Dof>
 SolveReport two_pass_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);

@@ -13,7 +13,7 @@
 //   direction        p = z + β p,  β = z·r / z'·r';  z alone after a sweep         Eq. (10.7)   notes, "(CG)"
 //   step             d = clamp(λ + α p) - λ,  α = p·r / p·Sp;
 //                    λ += t d,  t = d·r / d·Sd, but within [0, 1]                  Eq. (10.8)   not in the notes
-//   energy           E = ½ λ·Sλ - B·λ, which no part of it increases               Eq. (10.9)   not in the notes
+//   energy           E = ½ λ·Sλ - B·λ: no sweep and no step increases it           Eq. (10.9)   not in the notes
 //   relaxed          B = -G W - G W_f,  Σ = 0,  once positions have moved          Eq. (10.15)  not in the notes
 //   gap in between   g <- g + h G W                                                Eq. (10.19)  not in the notes
 //   soft numbers     a,  σ = S/(S + Σ),  1 - σ  by frequency and damping ratio     Eq. (10.20)  not in the notes
@@ -22,7 +22,8 @@
 //   r   residuals of the rows [m/s], Eq. (4.6)   free   a row between its bounds, lo < λ < hi
 //   e   result of sweep() [m/s]                  z', r'   z and r of the iteration before
 //
-// Differs from the notes: conjugate gradients are projected in two places, Eq. (10.8) and the sweeps between them.
+// Differs from the notes: in conjugate gradients impulses are projected in two places: in steps, Eq. (10.8), and in
+// sweeps between steps.
 #include <random>
 
 #include "09_better_friction/better_friction.hpp"
@@ -72,9 +73,10 @@ std::vector<double> precondition(const std::vector<Row<Dof>>& rows, const std::v
 /// Exercise 10.8. Projected and preconditioned conjugate gradients: Eq. (10.6)-(10.9); notes, "conjugate gradient". An
 /// iteration starts with a sweep, Eq. (4.7), which moves rows on and off their bounds, in three cases: if it is the
 /// first iteration; if the step before was projected; or if a row at a bound has a larger residual, Eq. (4.8), than
-/// every free row. In other iterations a sweep would destroy conjugacy. Then the stop rule is checked, and the free
-/// rows make a step. Contract of solve(): V, the stop rule (max_sweeps counts iterations), exceptions. The history has
-/// one entry per iteration: the result of its sweep, or without a sweep the residual of Eq. (4.8).
+/// every free row. In other iterations there is no sweep, since it would destroy conjugacy. Every iteration then checks
+/// the stop rule, and if it is not met, the free rows make a step. Contract of solve(): V, the stop rule (max_sweeps
+/// counts iterations), exceptions. The history has one entry per iteration: the result of its sweep, or without a sweep
+/// the residual of Eq. (4.8).
 template <int Dof>
 SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 
@@ -96,8 +98,8 @@ struct SoftParameters {
 
 /// Exercise 10.10. Returns the numbers of a soft row in a substep of `h` [s], by the frequency [Hz] of its undamped
 /// oscillation and its damping ratio ζ: Eq. (10.20). Keeps the digits of the smaller scale, too, for very stiff and
-/// very soft rows. Throws std::invalid_argument, naming h or frequency, unless it is positive and finite, and naming
-/// damping unless it is at least 0 and finite.
+/// very soft rows. Throws std::invalid_argument that names h or frequency if it is not positive and finite, and damping
+/// if it is negative or not finite.
 SoftParameters soft_parameters(double h, double frequency, double damping);
 
 /// Exercise 10.11. Updates a soft row in a substep of `h` [s], h > 0: Eq. (10.21), then (4.7). `gap` [m or rad] is
@@ -109,10 +111,10 @@ double update_soft_row(double h, const SoftParameters& soft, double gap, Row<Dof
                        std::vector<Twist<Dof>>& W);
 
 /// Exercise 10.12. Makes a soft substep of `h` [s]: Eq. (10.15), (10.19), (10.21). Adds forces W_f and the λ of the
-/// substep before to W, sweeps the soft rows, moves the gaps, and sweeps them as rigid rows. Returns the W between
-/// the two sweeps, with which the positions of the bodies are to move. `gaps` [m or rad] has one number for each row;
-/// `Wf` and W have one velocity for each body [m/s, rad/s]. Throws std::invalid_argument, naming h unless it is
-/// positive and finite, or gaps unless there is one for each row.
+/// substep before to W, sweeps the rows as soft ones, moves the gaps, and sweeps the same rows as rigid ones. Returns
+/// the W between the two sweeps, with which the positions of the bodies are to move. `gaps` [m or rad] has one number
+/// for each row; `Wf` and W have one velocity for each body [m/s, rad/s]. Throws std::invalid_argument that names h if
+/// it is not positive and finite, and gaps if there is not one for each row.
 template <int Dof>
 std::vector<Twist<Dof>> soft_substep(double h, const SoftParameters& soft, const std::vector<Twist<Dof>>& Wf,
                                      std::vector<Row<Dof>>& rows, std::vector<double>& gaps,

@@ -15,15 +15,15 @@
 //   Newton's step      S̃ Δλ = B - S λ + τ⁻/s⁻ - τ⁺/s⁺,  towards s z = τ                 Eq. (11.8)   not in the notes
 //                      Δz⁻ = (τ⁻ - z⁻ Δλ)/s⁻ - z⁻,  Δz⁺ = (τ⁺ + z⁺ Δλ)/s⁺ - z⁺          Eq. (11.9)   not in the notes
 //   longest step       the largest part of it, up to 1, that keeps s >= 0 and z >= 0    Eq. (11.10)  not in the notes
-//   target             τ = 0 first; then (μ'/μ)³ μ - Δs Δz, of the first step's Δ;
-//                      of the second the part (0.9 + 0.0999 α) α₂ is taken              Eq. (11.11)  not in the notes
+//   target             trial step: τ = 0; real step: τ = (μ'/μ)³ μ - Δs Δz of the trial step;
+//                      it is taken to (0.9 + 0.0999 α) α₂                               Eq. (11.11)  not in the notes
 //   start              s z = E for every bound, s = min(√(E/S_kk), (hi - lo)/2)         Eq. (11.12)  not in the notes
-//   roundings          1e-13 max |B| + 1e-14 max S_kk |λ_k|: nothing solves better      Eq. (11.13)  not in the notes
+//   round-off          1e-13 max |B| + 1e-14 max S_kk |λ_k|, the least residual         Eq. (11.13)  not in the notes
 //   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.14)  not in the notes
 //
-//   λ   impulses [N s]           M   mass matrix, a block a body      s   room to a bound [N s]
+//   λ   impulses [N s]           M   mass matrix, one block a body    s   room to a bound [N s]
 //   V   their velocity changes   Σ   regularisation [1/kg]            z   push of a bound [m/s]
-//   P   an order with little fill                                     μ   mean of s z; μ' after the part α of a step
+//   P   an order for which L has few entries                          μ   mean of s z; μ' after the part α of a step
 //   E   the largest of B²/S_kk + S_kk (λ₀² + λ_g²), an energy [J]
 //
 // Differs from the notes: the cost for a wire is O(N), not 1/N. Redundant and contradictory rows have a solution, too,
@@ -123,9 +123,9 @@ SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector&
 /// Exercise 11.11. Solves S λ = B within the bounds of the rows, from scratch; sets λ of the rows, and V. First solves
 /// without bounds. If all λ are within their bounds, refines them by Eq. (11.14). If this λ, clamped, solves the rows,
 /// one factorisation suffices. Otherwise calls interior_solve, with that λ as its guess. If that fails, chapter 04's
-/// solve continues from there, and `trouble` gives the reason. Each of the two has the whole stop rule: stop.max_sweeps
-/// factorisations, and as many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after
-/// each factorisation [m/s], and the result of each sweep. Throws as solve does.
+/// solve continues from there, and `trouble` gives the reason. interior_solve may make stop.max_sweeps factorisations,
+/// and then solve may make as many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8)
+/// after each factorisation [m/s], and the result of each sweep. Throws as solve does.
 template <int Dof>
 SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
                          Factors& factors);

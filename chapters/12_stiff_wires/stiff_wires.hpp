@@ -6,7 +6,7 @@
 //
 //   frequency    ω = √(4T/(m l)), the fastest of a tight wire                      Eq. (12.1)   not in the notes
 //   limit        h < 2/ω                                                           Eq. (12.2)   not in the notes
-//   stiffness    K = (T/l) (1 - n nᵀ), on the distance of the link's ends          Eq. (12.3)   not in the notes
+//   stiffness    K = (T/l) (1 - n nᵀ): force -K δ if x_j - x_i changes by δ        Eq. (12.3)   not in the notes
 //   tension      T = -λ/h of the last step, 0 for a link that pushes               Eq. (12.4)   not in the notes
 //   mass matrix  M̃ = M + h²K, with blocks +K on (i,i), (j,j) and -K on (i,j)       Eq. (12.5)   not in the notes
 //   step         M̃ (V + W_f) = M W_f + Gᵀλ,  G V + Σ λ = B                         Eq. (12.6)   not in the notes
@@ -36,14 +36,14 @@ struct Stiffness {
 };
 
 /// Exercise 12.3. The saddle-point matrix of Eq. (11.2) with M̃ of Eq. (12.5) in place of M: its lower triangle,
-/// compressed, in the same layout. Springs may share bodies, and add up. What does not move takes no stiffness. A
+/// compressed, in the same layout. Springs may share bodies, and add up. The block of a static body gets no h²K. A
 /// spring has its entries even where they are 0, so that a wire that goes slack keeps its pattern.
 SparseMatrix stiffened_matrix(const std::vector<Row<3>>& rows, const std::vector<InverseMass<3>>& inverse_mass,
                               const std::vector<Stiffness>& stiffness, double h);
 
-/// Exercise 12.4. Solves rows as if they had no bounds, with M̃, Eq. (12.6): λ into the rows, V into `V`, whatever
-/// they held. `motion` is that of which the rows were made. What is fixed has W_f = 0, and gets V = 0. Returns
-/// false when the factorisation fails; rows and V are then as before.
+/// Exercise 12.4. Solves rows as if they had no bounds, with M̃, Eq. (12.6). Writes λ into the rows, and the velocity
+/// changes into `V`; their old values are not used. `motion` is the one from which the rows were made. Static bodies
+/// have W_f = 0, and get V = 0. Returns false when the factorisation fails; rows and V are then as before.
 bool stiff_solve(std::vector<Row<3>>& rows, const Motion<3>& motion, const std::vector<Stiffness>& stiffness,
                  double h, std::vector<Twist<3>>& V, Factors& factors);
 

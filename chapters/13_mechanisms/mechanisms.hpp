@@ -6,13 +6,13 @@
 // point p and axes P = q c. The third axis lies along the hinge or the slider.
 //
 //   orientation of j's frame in i's  Q = P_i* P_j = (w, v)                                    Eq. (13.1)
-//   rate of Q                        dQ/dt = ½ u Q,  u = P_i* (ω_j - ω_i)                     Eq. (13.2)
+//   rate of Q                        dQ/dt = ½ u Q,  u = P_i* (ω_j - ω_i) P_i                 Eq. (13.2)
 //   relative angles                  g_k = 2 v_k                                              Eq. (13.3)
-//   rows of the angles               G = (0, -a_k, 0, a_k),  a_k = P_i (w e_k + v × e_k)      Eq. (13.4)
+//   rows of the angles               G = (0, -a_k, 0, a_k),  a_k = P_i (w e_k + v × e_k) P_i*  Eq. (13.4)
 //   shift along n, fixed to i        g = n·d,  d = p_j - p_i                                  Eq. (13.5)    notes (21)
 //   row of the shift                 G = (-n, -(r_i + d)×n, n, r_j×n)                         Eq. (13.6)    notes (22)
 //   angle of a hinge                 θ = 2 atan2(v_3, w), within half a turn of the last one  Eq. (13.8), (13.9)
-//   limit                            g = s - lower or upper - s, as a contact                 Eq. (13.10), (13.11)
+//   limit                            g = min(s - lower, upper - s),  λ >= 0                   Eq. (13.10), (13.11)
 //   motor                            B = w - G W - G W_f,  a = 0, b = 1, |λ| <= h T           Eq. (13.12), (13.13)
 //
 //   c   axes of the joint in a body's own axes, a quaternion; of a motor its viscosity [N m s/rad, N s/m]
@@ -54,7 +54,8 @@ Coordinate shift_along(const JointFrame& i, const JointFrame& j, int axis);
 /// which the hinge has turned by less than half a turn.
 Coordinate hinge_angle(const JointFrame& i, const JointFrame& j, double last);
 
-/// The range of a hinge or slider. Either end may be infinite. The engine refuses lower = upper: a weld locks a joint.
+/// The range of a hinge or slider. Either end may be infinite. The engine refuses lower = upper: to lock a joint, use a
+/// weld.
 struct JointLimits {
   double lower = -infinity;  ///< [rad] or [m]
   double upper = infinity;

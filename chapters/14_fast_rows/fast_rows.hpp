@@ -56,8 +56,8 @@ struct LaneRows {
   Lanes B = Lanes::Zero(), Sigma = B, diagonal = Lanes::Ones(), lo = B, hi = B, lambda = B;
 };
 
-/// Four pairs of bodies that share no dynamic body, and the rows between them: first rows[0] of every pair, then
-/// rows[1], and so on.
+/// Four pairs of bodies that share no dynamic body. rows[0] has the first row of each of the four pairs, rows[1] the
+/// second one of each, and so on.
 template <int Dof>
 struct Pack {
   std::array<int, lane_count> i = {-1, -1, -1, -1}, j = i;  ///< -1: a static body, or an empty lane
