@@ -10,7 +10,7 @@ Quat update_exponential(const Quat& q, const Vec3& omega, double h) {
   const double scale = std::abs(half_angle) < 1e-8 ? h / 2 : std::sin(half_angle) / omega.norm();
   const Vec3 axis_part = scale * omega;
   const Quat turn(std::cos(half_angle), axis_part.x(), axis_part.y(), axis_part.z());
-  // The product of unit quaternions is one, but for a rounding a step that would add up.
+  // The product of unit quaternions is one, except for a rounding a step, which would add up.
   return (turn * q).normalized();  // Eq. (2.6)
 }
 

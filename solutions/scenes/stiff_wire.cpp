@@ -93,7 +93,7 @@ SceneDescription stiff_wire() {
       .summary = "A wire with a heavy load is released at an angle, and swings.",
       .answer =
           "Links keep their length, and energy does not grow. With steps above 2/ω, ω = √(4 T/(m l)), the run "
-          "is lost with every solver, exact ones included, but for geometric_stiffness, which adds the "
+          "is lost with every solver, exact ones included, except geometric_stiffness, which adds the "
           "stiffness of the tension to M.",
       .error_name = "largest error of any link's length so far over that length",
       .error_unit = "relative",

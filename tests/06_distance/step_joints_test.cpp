@@ -145,7 +145,7 @@ double angle_of_pendulum(double omega_squared, double time) {
   return state[0];
 }
 
-// A point mass on a rod, and a block on a ball joint. Both swing as the formula says, but for a stretch of m g/k.
+// A point mass on a rod, and a block on a ball joint. Both swing as the formula says, except for a stretch of m g/k.
 EXERCISE_TEST(StepJoints, IsOfSecondOrderOnAPendulum) {
   const double mass = 2, arm = 0.5, time = 1, k = 1e10;
   for (const bool rod : {true, false}) {

@@ -29,7 +29,7 @@ void Regions::draw(const std::vector<std::pair<std::string, bool>>& is_in) {
     ++seen_.at(name);
     kinds += (kinds.empty() ? "" : "; ") + name;
   }
-  given() = "given random input of these kinds:  " + kinds;
+  given() = "given random input of these kinds: " + kinds;
 }
 
 }  // namespace spook::testing

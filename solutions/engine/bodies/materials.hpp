@@ -54,8 +54,10 @@ class Materials {
   /// Tells whether any material was set.
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }
 
-  /// Tell whether any coefficient of friction is positive, and whether any material has a restitution.
+  /// Tells whether any coefficient of friction is positive.
   bool rub() const { return rub_; }
+
+  /// Tells whether any material has a restitution.
   bool bounce() const { return bounce_; }
 
  private:

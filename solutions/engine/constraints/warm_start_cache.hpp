@@ -3,7 +3,7 @@
 //
 //   joints     by index
 //   contacts   by match_contacts, Eq. (10.1): the nearest contact of the same pair, at any distance. match_contacts
-// itself runs only for new pairs, and where two contacts have the same nearest one
+//              itself runs only for new pairs, and where two contacts have the same nearest one
 //   friction   the same vector along the new tangents, which may differ a lot: near an axis, a rounding error of the
 //              normal can select other tangents
 //   λ ∝ h      forces are kept when the step changes

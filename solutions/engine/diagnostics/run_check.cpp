@@ -145,7 +145,7 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
   if (world.settings().stepper)
     for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
-  // Soft steps do not sweep until a rate can be detected_within: each sweep begins where the last one ended.
+  // Soft steps do not sweep until a rate can be seen: each sweep begins where the last one ended.
   const bool soft = world.settings().soft_steps.has_value();
   const double left = soft ? residual : estimated_error(residual, world.solved().history);
   if (left <= share_unsolved * asked) return;

@@ -55,7 +55,7 @@ template <int Dof>
 class RunCheck {
  public:
   /// Notes where bodies are before a step, if no earlier check has: before the first step, and after bodies were moved.
-  /// Then a tunnelling in that step is found, too. May be left out.
+  /// Then tunnelling in that step is found, too. May be left out.
   void begin_step(const World<Dof>& world);
 
   /// Checks the step of `h` [s] that the world has just taken. Call it once after each step. The energy balance starts

@@ -267,7 +267,7 @@ template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) warm_start_rows(h);
-  SolverResult outcome = settings_.solver.solve(solver_input(constraints_, V_, start_, h, stop_rule(h)));
+  SolverResult outcome = settings_.solver.solve(solver_input(V_, h, stop_rule(h)));
   row_updates_ += outcome.updates(rows().size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
@@ -275,14 +275,13 @@ void World<Dof>::solve_rows(double h) {
 }
 
 template <int Dof>
-SolverInput<Dof> World<Dof>::solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
-                                          const WarmStartCache& last, double h, const StopRule& stop) {
-  return {.constraints = constraints,
+SolverInput<Dof> World<Dof>::solver_input(std::vector<Twist<Dof>>& V, double h, const StopRule& stop) {
+  return {.constraints = constraints_,
           .V = V,
           .joints = joints_,
           .contacts = contacts_,
           .bodies = bodies_,
-          .last = last,
+          .last = start_,
           .gravity = settings_.gravity,
           .h = h,
           .stop = stop,

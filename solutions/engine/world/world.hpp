@@ -409,8 +409,7 @@ class World {
   void set_default_stiffness(double h);
   void build_rows(double h);
   void solve_rows(double h);
-  SolverInput<Dof> solver_input(ConstraintSet<Dof>& constraints, std::vector<Twist<Dof>>& V,
-                                const WarmStartCache& last, double h, const StopRule& stop);
+  SolverInput<Dof> solver_input(std::vector<Twist<Dof>>& V, double h, const StopRule& stop);
   void warm_start_rows(double h);
   void solve_again(double h);
   void add_work_of_drives();
@@ -426,8 +425,8 @@ class World {
   void step_composed(double h);
   void step_elsewhere(double h);
   void kick_all(double h, double time);
-  void require_order_four() const;
-  void require_order_four(const Joint& joint) const;
+  void require_for_order_four() const;
+  void require_for_order_four(const Joint& joint) const;
   void require_for_soft_steps(const Joint& joint) const;
   void require_no_relaxation(double d) const;
   void require_wrench_of_positions() const;
@@ -453,14 +452,13 @@ class World {
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint
   std::size_t next_joint_row_ = 0;
-  std::vector<std::size_t> hinges_;  // indices of the hinges
-  std::vector<Vec3> forces_;         // on each body at x_n [N]
-  std::vector<Vec3> torques_;        // with a wrench only [N m]
-  std::vector<Contact> contacts_;    // of the last step
-  ConstraintSet<Dof> constraints_;   // the rows of joints_ and contacts_
-  std::vector<Twist<Dof>> V_;        // what the rows add to each velocity
-  std::vector<Twist<Dof>>
-      recovered_;  // is added to each velocity, so that recovery leaves no speed, Eq. (7.17)
+  std::vector<std::size_t> hinges_;    // indices of the hinges
+  std::vector<Vec3> forces_;           // on each body at x_n [N]
+  std::vector<Vec3> torques_;          // with a wrench only [N m]
+  std::vector<Contact> contacts_;      // of the last step
+  ConstraintSet<Dof> constraints_;     // the rows of joints_ and contacts_
+  std::vector<Twist<Dof>> V_;          // what the rows add to each velocity
+  std::vector<Twist<Dof>> recovered_;  // added to each velocity: it removes recovery, Eq. (7.17)
   std::vector<RowState> first_solve_;  // of each row, during the second solve
   std::vector<SoftGap> soft_gaps_;     // of the rows of joints, in soft steps
   SoftContacts<Dof> soft_contacts_;    // in soft steps

@@ -56,7 +56,7 @@ int World<Dof>::add_joint(const Joint& given) {
   if (joint.spring) require_kind(leaves_free, joint, "hinge or slider, where it has a spring");
   if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
   if (joint.is_guided()) complete(joint);
-  require_order_four(joint);
+  require_for_order_four(joint);
   require_for_soft_steps(joint);
   joints_.push_back(joint);
   joint_rows_.push_back(next_joint_row_);
@@ -111,7 +111,7 @@ void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) require
   require_kind(driven.kind == JointKind::hinge || driven.kind == JointKind::slider, driven,
                "hinge or slider, where it has a motor");
   if (motor) require_sound(*motor);
-  if (motor) require_order_four({.i = 0, .j = 0, .d = 0, .motor = motor});
+  if (motor) require_for_order_four({.i = 0, .j = 0, .d = 0, .motor = motor});
   const bool as_many_rows = motor.has_value() == driven.motor.has_value();
   driven.motor = motor;
   if (!as_many_rows) forget_the_last_step();
@@ -123,7 +123,7 @@ void World<Dof>::set_spring(int joint, const std::optional<Spring>& spring) requ
   require_kind(sprung.kind == JointKind::hinge || sprung.kind == JointKind::slider, sprung,
                "hinge or slider, where it has a spring");
   if (spring) require_sound(*spring);
-  if (spring) require_order_four({.i = 0, .j = 0, .d = 0, .spring = spring});
+  if (spring) require_for_order_four({.i = 0, .j = 0, .d = 0, .spring = spring});
   if (spring) require_for_soft_steps({.i = 0, .j = 0, .spring = spring});
   const bool as_many_rows = spring.has_value() == sprung.spring.has_value();
   sprung.spring = spring;

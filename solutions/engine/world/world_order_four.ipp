@@ -65,7 +65,7 @@ static const std::string refused = "integrator_order must be 2 with ", reason = 
 
 /// Throws std::invalid_argument for features that steps of order four do not support.
 template <int Dof>
-void World<Dof>::require_order_four() const {
+void World<Dof>::require_for_order_four() const {
   if (settings_.integrator_order == 2) return;
   if (settings_.integrator_order != 4) reject("integrator_order", settings_.integrator_order, "2 or 4");
   if (settings_.d) require_no_relaxation(*settings_.d);
@@ -80,7 +80,7 @@ void World<Dof>::require_order_four() const {
 }
 
 template <int Dof>
-void World<Dof>::require_order_four(const Joint& joint) const {
+void World<Dof>::require_for_order_four(const Joint& joint) const {
   if (settings_.integrator_order == 2) return;
   require_no_relaxation(*joint.d);
   if (joint.kind == JointKind::rope)

@@ -18,12 +18,11 @@ void World<Dof>::solve_again(double h) {
   StopRule stop = stop_rule(h);
   // Where there are joints, the second solve holds them as exactly as the first.
   if (joints_.empty()) stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
-  std::vector<Twist<Dof>> V = V_;
-  const SolverInput<Dof> second = solver_input(constraints_, V, start_, h, stop);
   const JointRecovery joints{.limits = rigid_limits(joints_, joint_rows_, bodies_, settings_.gravity, h),
                              .holding = holding_rows_with_work(joints_, joint_rows_, rows(), bodies_, V_)};
-  if (!prepare_second_solve(second, ignored, may_throw, joints, first_solve_)) return;
-  const SolverResult solved = settings_.solver.solve(second);
+  if (!prepare_second_solve(solver_input(V_, h, stop), ignored, may_throw, joints, first_solve_)) return;
+  std::vector<Twist<Dof>> V = V_;
+  const SolverResult solved = settings_.solver.solve(solver_input(V, h, stop));
   row_updates_ += solved.updates(rows().size());
   restore(first_solve_, constraints_.rows);
   recovered_.resize(V.size());

@@ -54,7 +54,7 @@ World<Dof>::World(Settings<Dof> settings)
     reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   require_soft_alone(settings_);
-  require_order_four();
+  require_for_order_four();
   require_weight_in_box(settings_, settings_.force || settings_.wrench);
 }
 
@@ -62,7 +62,7 @@ template <int Dof>
 int World<Dof>::add(const Body<Dof>& body) {
   const int i = bodies_.add(body);
   shapes_.add(i, shape_of(body), false);
-  require_order_four();
+  require_for_order_four();
   return i;
 }
 
@@ -71,7 +71,7 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   require_not_negative("radius", radius);
   const int i = bodies_.add_fixed(x);
   if (radius > 0) shapes_.add(i, Sphere{radius}, true);
-  require_order_four();
+  require_for_order_four();
   return i;
 }
 
@@ -92,7 +92,7 @@ int World<Dof>::add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requ
   const int i = bodies_.add_fixed(x);
   if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
   shapes_.add(i, shape, true);
-  require_order_four();
+  require_for_order_four();
   return i;
 }
 
@@ -102,7 +102,7 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   require_finite("offset", offset);
   const int i = bodies_.add_fixed(offset * n);
   shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
-  require_order_four();
+  require_for_order_four();
   return i;
 }
 

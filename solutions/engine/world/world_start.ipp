@@ -103,7 +103,7 @@ void World<Dof>::start_consistently(double h) {
     Factors factors;
     direct_solve(constraints_.rows, V_, StopRule{}, factors);
   } else {
-    newton<Dof>(FrictionModel::cone).solve(solver_input(constraints_, V_, start_, h, StopRule{}));
+    newton<Dof>(FrictionModel::cone).solve(solver_input(V_, h, StopRule{}));
   }
   h_ = h;
   if (may_divide_steps()) parts_per_second_ = parts_needed_now(h) / h;  // by these forces

@@ -28,8 +28,8 @@ def order_of_a_table(draw: Draw):
 def largest_step(draw: Draw):
     m, k = draw.of(0.5, 1, 2, 4), draw.of(50, 200, 800, 5000)
     return (f"A body of {m} kg hangs on a spring of {k} N/m. Above which step is leapfrog unstable, and why does the "
-            f"energy not drift for shorter steps?", f"{said(2 * math.sqrt(m / k), 's')}; it conserves the energy of "
-            f"(1.9) exactly")
+            "energy not drift for shorter steps?", f"{said(2 * math.sqrt(m / k), 's')}; it conserves the energy of "
+            "(1.9) exactly")
 
 
 @asks(1, 4, "1.5")

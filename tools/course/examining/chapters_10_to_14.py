@@ -183,7 +183,7 @@ def motor_of_a_joint(draw: Draw):
 def torque_of_a_shift(draw: Draw):
     d, J = draw.of(0.2, 0.5, 2), draw.of(1, 3, 8)
     return (f"A drawer is {d} m open, and its guide exerts on it {J} N s across. How much spurious angular momentum "
-            f"appears without the second term of the row? Does a smaller step help?", f"{said(d * J, 'N m s')}; no")
+            "appears without the second term of the row? Does a smaller step help?", f"{said(d * J, 'N m s')}; no")
 
 
 @asks(14, 1, "14.1 14.2")
