@@ -16,6 +16,7 @@ import unittest
 import unittest.mock
 import zipfile
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -26,10 +27,11 @@ from errors import BadInput, CourseError
 from exporting.grades import for_canvas, for_moodle, not_on_it
 from grading import reading
 from grading.archives import LARGEST, names_in
+from grading.choices import ON_TIME
 from grading.delivery import find_submissions
 from grading.feedback import FEEDBACK, write_feedback
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.grade import grade
+from grading.grade import _for_a_shard, grade
 from grading.gradebook import Class, _write_grades, cell, not_graded, uncertain
 from grading.names import Student, attempt_of, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
@@ -209,7 +211,7 @@ class Delivered(Finds):
             "leeann_12_58_kick-9.cpp": b"x"}))
         self.assert_kicks(submissions, "leeann")
         self.assertTrue(submissions["leeann"].student.late)
-        self.assertEqual(submissions["leeann"].notes[0], "late: the platform's file name says so")
+        self.assertEqual(submissions["leeann"].notes[0], "late: the name that the platform gave says so, or its time")
 
     def test_another_attempt_counts_on_demand(self):
         folder = self.put({"leeann_12_55_kick.cpp": b"first", "leeann_12_56_kick-1.cpp": b"second",
@@ -222,6 +224,47 @@ class Delivered(Finds):
         self.assertEqual([source.content for source in read.attempts["kick"]], [b"third", b"second", b"first"])
         read = read_submission(handed["ekbo"], all_exercises(), "best")
         self.assertEqual((read.sources["kick"].content, read.attempts), (KICK, {}))
+
+    def test_the_last_attempt_on_time_counts(self):
+        """The time is in Blackboard's and Brightspace's names, and Canvas writes that an attempt is late."""
+        noon = datetime(2026, 11, 20, 12)
+        blackboard = "HW_{}_attempt_2026-11-{}-00_kick.cpp"
+        for named, due in (({"ann": (blackboard.format("ann", "20-09-00"), blackboard.format("ann", "20-11-59"),
+                                     blackboard.format("ann", "20-12-01")),
+                             "bo": (blackboard.format("bo", "20-12-00"),),
+                             "cy": (blackboard.format("cy", "20-12-01"), blackboard.format("cy", "21-09-00"))}, noon),
+                           ({"ann": ("12-9 - ann - Nov 20, 2026 901 AM/kick.cpp", "12-9 - ann - Nov 20, 2026 1159 AM/kick.cpp",
+                                     "12-9 - ann - Nov 20, 2026 1201 PM/kick.cpp"),
+                             "bo": ("13-9 - bo - Nov 20, 2026 1200 PM/kick.cpp",),
+                             "cy": ("14-9 - cy - Nov 20, 2026 1201 PM/kick.cpp", "14-9 - cy - Nov 21, 2026 901 AM/kick.cpp")},
+                            noon),
+                           ({"ann": ("ann_12_55_kick.cpp", "ann_12_56_kick-1.cpp", "ann_LATE_12_57_kick-2.cpp"),
+                             "bo": ("bo_13_58_kick.cpp",),
+                             "cy": ("cy_LATE_14_59_kick.cpp", "cy_LATE_14_60_kick-1.cpp")}, None)):
+            folder = self.put({name: str(k).encode() for names in named.values() for k, name in enumerate(names)},
+                              named["ann"][0][:4])
+            delivery = find_submissions([folder], self.root / "out")
+            delivery.drop_late(due)
+            read = {one.name: read_submission(one, all_exercises(), ON_TIME) for one in delivery.handed}
+            self.assertEqual({name: (one.sources["kick"].content, one.student.late) for name, one in read.items()},
+                             {"ann": (b"1", False), "bo": (b"0", False), "cy": (b"1", True)})
+            late = named["ann"][2].split("/")[0]
+            self.assertEqual([note for note in read["ann"].notes if "late" in note], [f"late, so not counted: {late}"])
+            self.assertEqual(read["bo"].notes, [])
+            self.assertIn("late: the name that the platform gave says so, or its time", read["cy"].notes)
+
+    def test_a_shard_is_told_when_it_is_due(self):
+        words = ["grade", "in", "--attempt", ON_TIME, "--due", "2026-11-20T23:59"]
+        arguments = parse(words)
+        self.assertEqual(arguments.due, datetime(2026, 11, 20, 23, 59))
+        again = parse(["grade", "in", *_for_a_shard(arguments)])
+        self.assertEqual((again.attempt, again.due), (arguments.attempt, arguments.due))
+
+    def test_due_has_a_meaning_with_attempts_on_time_alone(self):
+        with self.assertRaisesRegex(BadInput, "--due is for --attempt on-time, but the attempt is best"):
+            grade(parse(["grade", "in", "--attempt", "best", "--due", "2026-11-20T23:59"]))
+        with self.assertRaisesRegex(BadInput, "2026-11-20T23:59, but is '20 Nov'"):
+            parse(["grade", "in", "--due", "20 Nov"])
 
     def test_a_name_of_another_platform_takes_nobodys_place(self):
         """On Canvas a student chooses what follows the numbers."""

@@ -275,7 +275,7 @@ class Grades(Grader):
 
     def __init__(self):
         self.seed, self.hidden_seed, self.exercises, self.failures = 1, 1, [], []
-        self._jobs, self._seconds, self._points, self._attempt = 2, 2, "tests", "last"
+        self._jobs, self._seconds, self._points, self._attempt, self._due = 2, 2, "tests", "last", ""
         self._weights = self._judge = None
         self._workshop, self.isolation = SimpleNamespace(sources=""), SimpleNamespace(name="", does_not_deny="")
 

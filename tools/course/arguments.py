@@ -1,6 +1,7 @@
 """The command line: one parser; an invalid call gives one line."""
 
 import argparse
+from datetime import datetime
 
 from errors import BadInput
 from grading.choices import ATTEMPTS, ISOLATIONS, RULES, TABLE
@@ -46,6 +47,13 @@ def _count(text: str) -> int:
     if not (text.isascii() and text.isdecimal() and 0 < int(text) < 10_000):
         raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 9999, but is {text!r}")
     return int(text)
+
+
+def _time(text: str) -> datetime:
+    try:
+        return datetime.strptime(text, "%Y-%m-%dT%H:%M")
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"must be a date and a time, as 2026-11-20T23:59, but is {text!r}") from None
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -243,7 +251,11 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--points", choices=RULES, default=RULES[0],
                          help="points for whole exercises (default), for each test, or for all exercises alike")
     command.add_argument("--attempt", choices=ATTEMPTS, default=ATTEMPTS[0],
-                         help="which of a student's attempts on a platform counts (default: last)")
+                         help="which of a student's attempts on a platform counts (default: last); on-time: the last "
+                              "that is not late, or if all are late the last")
+    command.add_argument("--due", type=_time, metavar="TIME",
+                         help="with --attempt on-time: 2026-11-20T23:59, on the clock of the platform; without it, an "
+                              "attempt is late only if its name says so, as on Canvas")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="processor time for each test (default: 10)")
     command.add_argument("--exercise-time", type=_count, default=20, metavar="SECONDS",

@@ -6,12 +6,13 @@ Nobody is lost: files that belong to no submission are returned, too, with the r
 import os
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from datetime import datetime
 from pathlib import Path, PurePosixPath
 
 from errors import BadInput
 from grading.archives import is_archive, is_litter, names_in, text, without_suffix
 from grading.gradescope_export import METADATA, submitters
-from grading.names import Student, look, platforms_of, safe, student_of
+from grading.names import Student, is_late, look, platforms_of, safe, student_of
 from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
@@ -36,6 +37,21 @@ class Delivery:
         for parts in by_student.values():
             late = any(student.late for student, _ in parts)
             self.add(replace(parts[0][0], late=late), *(place for _, place in parts))
+
+    def drop_late(self, due: datetime | None) -> None:
+        """Drops the late attempts of students who also have one on time. Those of other students stay, and are late."""
+        self.handed = [_on_time(one, due) for one in self.handed]
+
+
+def _on_time(handed: Handed, due: datetime | None) -> Handed:
+    late = [place for place in handed.places if is_late(place.name, due)]
+    on_time = tuple(place for place in handed.places if place not in late)
+    if not late:
+        return handed
+    if not on_time:
+        return replace(handed, student=replace(handed.student, late=True))
+    note = f"late, so not counted: {', '.join(place.name for place in late)}"
+    return replace(handed, places=on_time, student=replace(handed.student, late=False), notes=(*handed.notes, note))
 
 
 def find_submissions(paths: list[Path], out: Path) -> Delivery:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from errors import BadInput, CourseError
 from exporting import gradescope
+from grading.choices import ON_TIME
 from grading.delivery import Delivery, find_submissions
 from grading.feedback import FEEDBACK
 from grading.gradebook import Class, not_graded, statistics_line, uncertain, write_gradebook
@@ -52,6 +53,8 @@ def grade(arguments) -> int:
 
 def _grade(arguments) -> int:
     need_sources("grade")
+    if arguments.due and arguments.attempt != ON_TIME:
+        raise BadInput(f"grade: --due is for --attempt {ON_TIME}, but the attempt is {arguments.attempt}")
     out = Path(arguments.out)
     roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
@@ -64,6 +67,8 @@ def _grade(arguments) -> int:
     if not arguments.paths:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
     delivery = find_submissions([Path(path) for path in arguments.paths], out)
+    if arguments.attempt == ON_TIME:
+        delivery.drop_late(arguments.due)
     names = [one.name for one in delivery.handed]
     if delivery.doubts and not arguments.yes:
         _ask(delivery)
@@ -146,6 +151,8 @@ def _for_a_shard(arguments) -> list[str]:
     for name in ("seed", "hidden_seed", "time_limit", "exercise_time", "submission_time", "isolation"):
         if (value := getattr(arguments, name)) is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
+    if arguments.due:
+        words += ["--due", arguments.due.strftime("%Y-%m-%dT%H:%M")]
     if arguments.chapters:
         words += ["--chapters", as_list(arguments.chapters)]
     if arguments.hidden:

@@ -41,6 +41,7 @@ class Grader:
         self._seconds = arguments.time_limit
         self._points = arguments.points
         self._attempt = arguments.attempt
+        self._due = f", due {arguments.due:%Y-%m-%d %H:%M}" if arguments.due else ""
         self._of_submission = arguments.submission_time
         hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
         check_hidden(hidden, self.chapters)
@@ -171,8 +172,8 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8", errors="replace")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"points": self._points, "attempt": self._attempt, "seed": self.seed, "hidden_seed": self.hidden_seed,
-                    "seconds_a_test": self._seconds, "isolation": self.isolation.name,
+        settings = {"points": self._points, "attempt": self._attempt + self._due, "seed": self.seed,
+                    "hidden_seed": self.hidden_seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 

@@ -88,15 +88,28 @@ def _assignment_of(names: list[str]) -> str:
     return common[: common.rfind("_") + 1]
 
 
+def time_of(name: str) -> datetime | None:
+    """Returns the time of an attempt, on the platform's clock, if the name has one that can be read."""
+    with contextlib.suppress(ValueError):  # of another language's months, or no time at all
+        if found := _BLACKBOARD.fullmatch(name):
+            return datetime.strptime(found["time"], "%Y-%m-%d-%H-%M-%S")
+        if found := _BRIGHTSPACE.fullmatch(name):
+            month, day, year, clock, half = found["time"].replace(",", "").split()
+            return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p")
+    return None
+
+
+def is_late(name: str, due: datetime | None) -> bool:
+    """Tells whether an attempt is late: the name says so, or has a time after `due`."""
+    known, time = student_of(name), time_of(name)
+    return bool(known and known[0].late) or bool(due and time and time > due)
+
+
 def attempt_of(name: str) -> str:
     """Returns a key: of the attempts of one student on one platform the last has the greatest. Empty if the name has
     none."""
-    if found := _BLACKBOARD.fullmatch(name):
-        return found["time"]
-    if found := _BRIGHTSPACE.fullmatch(name):
-        with contextlib.suppress(ValueError):  # of another language's months
-            month, day, year, clock, half = found["time"].replace(",", "").split()
-            return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p").isoformat()
+    if time := time_of(name):
+        return time.isoformat()
     if (found := _CANVAS.fullmatch(name)) and (again := _AGAIN.search(found["file"])):
         return f"{int(again[1]):09d}"
     return ""

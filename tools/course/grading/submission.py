@@ -81,7 +81,7 @@ def read_submission(handed: Handed, exercises: list[Exercise], attempt: str = AT
     notes give the reason."""
     submission = Submission(handed.name, handed.student, {}, list(handed.notes))
     if handed.student.late:
-        submission.notes.append("late: the platform's file name says so")
+        submission.notes.append("late: the name that the platform gave says so, or its time")
     seen: list[str] = []
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
