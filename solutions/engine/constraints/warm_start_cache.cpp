@@ -134,6 +134,21 @@ std::vector<double> WarmStartCache::joint_impulses(std::size_t rows, double h) c
   return all;
 }
 
+double WarmStartCache::contact_force(int i, int j) const {
+  if (contacts_.empty()) return 0;
+  const std::pair pair(i, j);
+  const auto before = [](const OldContact& contact, const auto& numbers) {
+    return numbers_of(contact) < numbers;
+  };
+  const auto first = std::lower_bound(contacts_.begin(), contacts_.end(), pair, before);
+  double largest = 0;
+  const std::size_t each = contact_rows_.size() / contacts_.size();
+  for (auto c = static_cast<std::size_t>(first - contacts_.begin());
+       c < contacts_.size() && numbers_of(contacts_[c]) == pair; ++c)
+    largest = std::max(largest, contact_rows_[c * each] / h_);
+  return largest;
+}
+
 template std::vector<double> WarmStartCache::impulses<3>(const ConstraintSet<3>&, const std::vector<Contact>&,
                                                          double) const;
 template std::vector<double> WarmStartCache::impulses<6>(const ConstraintSet<6>&, const std::vector<Contact>&,

@@ -39,6 +39,9 @@ class WarmStartCache {
   /// Returns the initial impulses of the joints' rows, which come first in each step.
   std::vector<double> joint_impulses(std::size_t rows, double h) const;
 
+  /// Returns the largest normal force that one contact of bodies i and j had in the finished step [N]; 0 without one.
+  double contact_force(int i, int j) const;
+
   void state(StateStream& s) { s(joints_, contact_rows_, contacts_, tangents_, h_); }
 
  private:

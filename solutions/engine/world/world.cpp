@@ -172,8 +172,9 @@ void World<Dof>::prepare_motion(double h) {
   }
 }
 
-/// Returns the friction and restitution of a contact, and its slowest impact [m/s]. Rows take slower approaches:
-/// those that gravity makes in a step, and a bounce no higher than the sag of the contact, u²/2g = m g/k.
+/// Returns the friction and restitution of a contact, and its slowest impact [m/s]. Rows take slower approaches: those
+/// that gravity makes in a step, a bounce no higher than the sag of the contact, u²/2g = m g/k, and those that its
+/// spring can cause if it had the force F in the last step, m u²/2 = F²/2k.
 template <int Dof>
 ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
@@ -186,7 +187,8 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   }
   const std::vector<InverseMass<Dof>>& inverse_mass = bodies_.motion.inverse_mass;
   const double both = inverse_mass[contact.i].linear + inverse_mass[contact.j].linear;
-  law.threshold += settings_.gravity.norm() * std::max(h, std::sqrt(2 / (both * k)));
+  const double gravity = settings_.gravity.norm(), force = start_.contact_force(contact.i, contact.j);
+  law.threshold += std::max({gravity * h, gravity * std::sqrt(2 / (both * k)), force * std::sqrt(both / k)});
   return law;
 }
 
@@ -270,7 +272,8 @@ void World<Dof>::solve_rows(double h) {
   SolverResult outcome = settings_.solver.solve(solver_input(V_, h, stop_rule(h)));
   row_updates_ += outcome.updates(rows().size());
   solved_ = std::move(outcome.report);
-  if (settings_.warm_start || settings_.solver.wants_last)
+  const bool may_bounce = settings_.impacts || materials_.any();  // impact_law needs the forces
+  if (settings_.warm_start || settings_.solver.wants_last || may_bounce)
     start_.remember(constraints_, contacts_, h, settings_.threads);
 }
 
