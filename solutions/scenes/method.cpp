@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "common/require.hpp"
+#include "engine/constraints/soft_rows.hpp"
 #include "engine/support/did_you_mean.hpp"
 
 namespace spook {
@@ -20,6 +22,12 @@ FrictionModel friction_model(const Method& method) {
   if (method.friction_model) return *method.friction_model;
   const bool has_cones = named.make_on_cones && method.row_order == RowOrder::given;
   return has_cones ? FrictionModel::cone : FrictionModel::two_pass;
+}
+
+void set_accuracy(Method& method, double accuracy) {
+  if (!(accuracy > 0 && accuracy <= 0.1)) reject("accuracy", accuracy, "more than 0 and at most 0.1");
+  method.accuracy = accuracy;
+  if (accuracy >= accuracy_of_soft_steps) method.soft_steps = SoftSteps{}.substeps;
 }
 
 /// Throws std::invalid_argument for a row order with another solver, or with cones.
@@ -45,6 +53,7 @@ Solver<Dof> make_solver(const Method& method) {
   const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
   require_one_solver(method);
   const FrictionModel model = friction_model(method);
+  if (method.accuracy && named.make_to) return named.make_to(model, *method.accuracy);
   if (model == FrictionModel::cone) return named.make_on_cones();
   Solver<Dof> solver = method.row_order == RowOrder::given
                            ? named.make()

@@ -60,12 +60,13 @@ static void refuse_beside_composed(const TypedRun& typed) {
                 {"friction-model", typed.friction_model.has_value()},
                 {"tangents", typed.tangents.has_value()},
                 {"max-parts", typed.max_parts.has_value()},
+                {"accuracy", typed.accuracy.has_value()},
                 {"warm-start", typed.warm_start}},
                "has no effect with integrator-order 4, whose joints are rigid: leave it out");
 }
 
 /// Rejects options that have no effect in soft steps, whose sweeps are their own.
-static void refuse_beside_soft(const TypedRun& typed) {
+static void refuse_beside_soft(const TypedRun& typed, const std::string& with) {
   refuse_given({{"solver", typed.solver.has_value()},
                 {"iterations", typed.iterations.has_value()},
                 {"row-order", typed.row_order.has_value()},
@@ -73,7 +74,16 @@ static void refuse_beside_soft(const TypedRun& typed) {
                 {"integrator-order", typed.integrator_order.has_value()},
                 {"max-parts", typed.max_parts.has_value()},
                 {"warm-start", typed.warm_start}},
-               "has no effect with soft-steps: leave it out");
+               "has no effect " + with + ": leave it out");
+}
+
+/// Rejects options that choose what an accuracy chooses.
+static void refuse_beside_accuracy(const TypedRun& typed) {
+  refuse_given({{"solver", typed.solver.has_value()},
+                {"row-order", typed.row_order.has_value()},
+                {"soft-steps", typed.soft_steps.has_value()},
+                {"integrator-order", typed.integrator_order.has_value()}},
+               "has no effect with accuracy, which chooses how steps are solved: leave one of them out");
 }
 
 /// Refuses options that no step of the plain engine has.
@@ -82,6 +92,7 @@ static void refuse_beside_plain(const TypedRun& typed) {
                 {"tangents", typed.tangents.has_value()},
                 {"max-parts", typed.max_parts.has_value()},
                 {"threads", typed.threads.has_value()},
+                {"accuracy", typed.accuracy.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()}},
                "needs the fast engine: leave it out, or use --engine fast");
 }
@@ -93,6 +104,7 @@ static void refuse_lists(const TypedRun& typed) {
       {"time", typed.time},
       {"iterations", typed.iterations},
       {"tolerance", typed.tolerance},
+      {"accuracy", typed.accuracy},
       {"substeps", typed.substeps},
       {"integrator-order", typed.integrator_order},
       {"seed", typed.seed},
@@ -142,8 +154,15 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     refuse_beside_plain(*this);
     method.plain_solver = solver || friction_model || row_order || warm_start;
   }
+  if (accuracy) {
+    refuse_beside_accuracy(*this);
+    set_accuracy(method, parse_number("accuracy", *accuracy));
+    if (!find_solver<3>(method.solver).make_to) method.solver = "auto";
+  }
+  if (method.soft_steps)
+    refuse_beside_soft(*this, "with an accuracy from 0.01 on, which is that of soft steps");
   if (soft_steps) {
-    refuse_beside_soft(*this);
+    refuse_beside_soft(*this, "with soft-steps");
     method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);
   }
   set_rows(*this, method);

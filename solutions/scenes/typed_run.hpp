@@ -12,7 +12,7 @@ namespace spook {
 struct TypedRun {
   std::string scene;
   std::vector<std::string> set;
-  std::optional<std::string> h, time, solver, iterations, tolerance;
+  std::optional<std::string> h, time, solver, iterations, tolerance, accuracy;
   std::optional<std::string> substeps, integrator_order, row_order, seed, contact_margin, friction_model,
       tangents, max_parts, threads, engine, soft_steps;
   bool warm_start = false;

@@ -33,6 +33,7 @@ Json to_json(const Method& method, bool solves) {
       {"solver", solves ? method.solver : "none"},
       {"iterations", of_rows(method.solver_limits.max_sweeps)},
       {"tolerance", of_rows(method.solver_limits.tolerance)},
+      {"accuracy", method.accuracy ? of_rows(*method.accuracy) : Json()},
       {"row_order", of_rows(name_of(method.row_order))},
       {"warm_start", of_rows(method.warm_start)},
       {"max_parts", method.max_parts ? Json(*method.max_parts) : Json()},

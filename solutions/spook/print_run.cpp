@@ -42,6 +42,7 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
            (method.sliding_tangents ? "sliding" : "fixed") + "; ";
   text += method.solver + ", at most " +
           counted(method.solver_limits.max_sweeps, find_solver<3>(method.solver).iteration);
+  if (method.accuracy) text += " or to " + short_text(*method.accuracy) + " of the right-hand side";
   if (method.solver_limits.tolerance > 0)
     text += " or to " + short_text(method.solver_limits.tolerance) + " m/s";
   return text;

@@ -316,6 +316,45 @@ TEST(Default, SolvesASettlingPyramidInFewIterationsOfAStep) {
   for (int b = 1; b < std::ssize(world.bodies().x); ++b) EXPECT_LT(world.v(b).norm(), 1e-6) << "body " << b;
 }
 
+TEST(Automatic, EndsAtTheShareThatIsAskedFor) {
+  // Balls and cubes fall on each other, so that some steps have contacts at rest and others in motion. A step in which
+  // friction nearly jams may be out of reach of every method; it says so.
+  std::vector<int> iterations;
+  for (const double accuracy : {1e-2, 1e-3, 1e-5}) {
+    World<6> world({.friction = 0.6, .solver = automatic<6>(FrictionModel::cone, accuracy)});
+    world.add_plane(Vec3::UnitZ(), 0);
+    for (int n = 0; n < 24; ++n) {
+      const Vec3 x(0.9 * (n % 2) + 0.03 * n, 0.9 * (n / 2 % 2) - 0.02 * n, 0.6 + 1.1 * (n / 4));
+      if (n % 3 == 0)
+        world.add({.x = x, .radius = 0.5});
+      else
+        world.add({.x = x, .half_sides = Vec3::Constant(0.5)});
+    }
+    iterations.push_back(0);
+    int unsolved = 0;
+    for (int step = 0; step < 90; ++step) {
+      world.step(1.0 / 60);
+      iterations.back() += world.report().iterations;
+      double largest = 0;
+      for (const Row<6>& row : world.rows()) largest = std::max(largest, std::abs(row.B));
+      const SolveReport& solved = world.solved();
+      if (!solved.converged) {
+        ++unsolved;
+      } else if (!solved.history.empty()) {
+        EXPECT_LE(solved.history.back(), accuracy * largest) << "accuracy " << accuracy << ", step " << step;
+      }
+    }
+    EXPECT_LE(unsolved, 2) << "accuracy " << accuracy;
+  }
+  EXPECT_TRUE(std::is_sorted(iterations.begin(), iterations.end())) << ::testing::PrintToString(iterations);
+  EXPECT_LT(iterations.front(), iterations.back());
+}
+
+TEST(Automatic, RefusesAnAccuracyThatIsNoShare) {
+  for (const double accuracy : {0.0, -1e-6, 1.0, std::nan("")})
+    expect_refusal({"accuracy", "between 0 and 1"}, [&] { automatic<6>(FrictionModel::cone, accuracy); });
+}
+
 TEST(CopiesOfAWorld, GoOnAlikeAndShareNothing) {
   for (const Solver<3>& solver :
        {gauss_seidel<3>(), ordered_gauss_seidel<3>(RowOrder::random, 5), direct<3>(), automatic<3>(),

@@ -9,7 +9,7 @@ from pick import near
 # Options of run that may differ, unless the scene has a parameter of this name; any other name is a parameter.
 _OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator-order", "row-order",
             "seed", "contact-margin", "friction-model", "tangents", "max-parts", "threads", "engine",
-            "soft-steps")
+            "soft-steps", "accuracy")
 _FLAG = "warm-start"
 _SWITCHED = {"on": True, "true": True, "yes": True, "1": True, "off": False, "false": False, "no": False, "0": False}
 

@@ -31,6 +31,7 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"solver", &command.solver},
       {"iterations", &command.iterations},
       {"tolerance", &command.tolerance},
+      {"accuracy", &command.accuracy},
       {"substeps", &command.substeps},
       {"integrator_order", &command.integrator_order},
       {"row_order", &command.row_order},

@@ -45,13 +45,20 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
                       const std::string& solver, const std::optional<std::string>& model,
                       const std::string& tangents, int iterations, double tolerance, bool warm_start,
                       std::optional<double> contact_margin, int integrator_order, int max_parts,
-                      std::optional<int> soft_steps, int threads, bool check, const std::string& rotation) {
+                      std::optional<int> soft_steps, std::optional<double> accuracy, int threads, bool check,
+                      const std::string& rotation) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   if (soft_steps && (*soft_steps < 1 || *soft_steps > 1024))
     throw std::invalid_argument("soft_steps must be from 1 to 1024, but is " + std::to_string(*soft_steps));
   Method method{.h = 1, .solver = solver};
   if (model) method.friction_model = find_friction_model(*model);
+  if (accuracy) {
+    if (solver != "auto" || soft_steps)
+      throw std::invalid_argument("solver and soft_steps must be left out with accuracy, which chooses them");
+    set_accuracy(method, *accuracy);
+    soft_steps = method.soft_steps;
+  }
   Settings<Dof> settings{
       .gravity = gravity,
       .k = k,
@@ -315,10 +322,11 @@ PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::op
                            double threshold, const std::string& solver, const std::optional<std::string>& model,
                            const std::string& tangents, int iterations, double tolerance, bool warm_start,
                            std::optional<double> contact_margin, int integrator_order, int max_parts,
-                           std::optional<int> soft_steps, int threads, bool check) {
+                           std::optional<int> soft_steps, std::optional<double> accuracy, int threads,
+                           bool check) {
   return make<3>(gravity, k, d, friction, viscosity, restitution, threshold, solver, model, tangents,
                  iterations, tolerance, warm_start, contact_margin, integrator_order, max_parts, soft_steps,
-                 threads, check, "splitting");
+                 accuracy, threads, check, "splitting");
 }
 
 /// `rest`: the parameters of this world only.
@@ -330,8 +338,8 @@ void bind_constructor(Binding<Dof>& type, const Make& make_world, const Rest&...
                   "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
                   "tangents"_a = "fixed", "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0,
                   "warm_start"_a = false, "contact_margin"_a = py::none(), "integrator_order"_a = 2,
-                  "max_parts"_a = Settings<Dof>{}.max_parts, "soft_steps"_a = py::none(), "threads"_a = 1,
-                  "check"_a = true, rest...);
+                  "max_parts"_a = Settings<Dof>{}.max_parts, "soft_steps"_a = py::none(),
+                  "accuracy"_a = py::none(), "threads"_a = 1, "check"_a = true, rest...);
 }
 
 /// Binds `step`. The second function takes calls whose arguments need a conversion, and explains those that none can

@@ -13,6 +13,8 @@
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
 // largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
 //
+// A given accuracy replaces all of these shares, 1e-3, 1e-6 and 3e-3, by one.
+//
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
 #include <algorithm>
@@ -22,6 +24,7 @@
 #include <span>
 #include <tuple>
 
+#include "common/require.hpp"
 #include "engine/solvers/anderson.hpp"
 #include "engine/solvers/islands.hpp"
 #include "engine/solvers/registry.hpp"
@@ -119,7 +122,9 @@ class KnownIslands {
 template <int Dof>
 class Automatic {
  public:
-  explicit Automatic(FrictionModel model) : on_cones_(model == FrictionModel::cone) {}
+  Automatic(FrictionModel model, std::optional<double> accuracy) : on_cones_(model == FrictionModel::cone) {
+    if (accuracy) shares_ = {.left = *accuracy, .enough = *accuracy, .moving = *accuracy};
+  }
 
   SolverResult operator()(const SolverInput<Dof>& s) {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
@@ -155,9 +160,15 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;                     // in sweeps
-  static constexpr double share_left = 1e-3, share_enough = 1e-6;        // of the right-hand side
-  static constexpr double share_moving = 3e-3, share_may_be_left = 0.1;  // of the approach of moving contacts
+  static constexpr double worth_of_a_solution = 100;  // in sweeps
+  static constexpr double share_may_be_left = 0.1;    // of the approach of moving contacts
+
+  /// The residuals that suffice.
+  struct Shares {
+    double left = 1e-3;    ///< by sweeps, of the right-hand side
+    double enough = 1e-6;  ///< by factors, of the right-hand side
+    double moving = 3e-3;  ///< of the approach of moving contacts
+  };
 
   /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
@@ -229,19 +240,19 @@ class Automatic {
     return append(std::move(swept), factorised(part, enough(part, s.stop), island), part.rows.size());
   }
 
-  static double enough(const IslandView& part, const StopRule& stop) {
-    return std::max({stop.tolerance, share_enough * rhs_norm(part.rows), share_moving * part.approach});
+  double enough(const IslandView& part, const StopRule& stop) const {
+    return std::max({stop.tolerance, shares_.enough * rhs_norm(part.rows), shares_.moving * part.approach});
   }
 
   /// Tells whether sweeps made factors unnecessary.
-  static bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) {
+  bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) const {
     if (swept.converged)
       return part.approach == 0 || error_of_accelerated(swept.history) <= share_may_be_left * part.approach;
     const double left = estimated_error(swept.history.back(), swept.history);
-    return !hard && left <= share_left * rhs_norm(part.rows);
+    return !hard && left <= shares_.left * rhs_norm(part.rows);
   }
 
-  static SolverResult swept(const IslandView& part, const StopRule& stop) {
+  SolverResult swept(const IslandView& part, const StopRule& stop) const {
     if (part.friction.empty())
       return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
     start_from(part.last, part.rows, part.V);
@@ -250,13 +261,13 @@ class Automatic {
   }
 
   /// Solves to `enough` [m/s].
-  static SolverResult factorised(const IslandView& part, double enough, Island<Dof>& island) {
+  SolverResult factorised(const IslandView& part, double enough, Island<Dof>& island) const {
     if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, enough, {.suffices = part.approach > 0 ? 0 : share_left});
+    return solve_on_cones(problem, enough, {.suffices = part.approach > 0 ? 0 : shares_.left});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {
@@ -266,6 +277,7 @@ class Automatic {
   }
 
   bool on_cones_;
+  Shares shares_;
   std::vector<bool> hard_;  // bodies of islands that sweeps did not solve in a recent step
   int calls_ = 0;
   ScratchCache<KnownIslands<Dof>> islands_;
@@ -274,15 +286,17 @@ class Automatic {
 }  // namespace
 
 template <int Dof>
-Solver<Dof> automatic(FrictionModel model) {
+Solver<Dof> automatic(FrictionModel model, std::optional<double> accuracy) {
   require_box_or_cone("auto", model);
-  return {.solve = Automatic<Dof>(model),
+  if (accuracy && !(*accuracy > 0 && *accuracy < 1))
+    reject("accuracy", *accuracy, "between 0 and 1, as a share of the right-hand side");
+  return {.solve = Automatic<Dof>(model, accuracy),
           .friction = model,
           .wants_last = true,
           .state_of_solve = state_of_method<Dof, Automatic<Dof>>};
 }
 
-template Solver<3> automatic<3>(FrictionModel);
-template Solver<6> automatic<6>(FrictionModel);
+template Solver<3> automatic<3>(FrictionModel, std::optional<double>);
+template Solver<6> automatic<6>(FrictionModel, std::optional<double>);
 
 }  // namespace spook

@@ -11,9 +11,19 @@ static Solver<Dof> automatic_of() {
   return automatic<Dof>(model);
 }
 
+template <int Dof>
+static Solver<Dof> automatic_to(FrictionModel model, double accuracy) {
+  return automatic<Dof>(model, accuracy);
+}
+
 template <int Dof, FrictionModel model>
 static Solver<Dof> stiff_automatic() {
   return geometric_stiffness(automatic<Dof>(model));
+}
+
+template <int Dof>
+static Solver<Dof> stiff_automatic_to(FrictionModel model, double accuracy) {
+  return geometric_stiffness(automatic<Dof>(model, accuracy));
 }
 
 template <int Dof, FrictionModel model>
@@ -52,9 +62,9 @@ const std::vector<NamedSolver<Dof>>& solvers() {
       {"direct", "sparse factors of S; bounds by an interior-point method", "factorisation", &direct<Dof>,
        nullptr},
       {"auto", "for each island of bodies: the direct solver if it is cheap or needed, else Gauss-Seidel",
-       "iteration", &automatic_of<Dof, box>, &automatic_of<Dof, cone>},
+       "iteration", &automatic_of<Dof, box>, &automatic_of<Dof, cone>, false, &automatic_to<Dof>},
       {"geometric_stiffness", "as auto; point masses on tight links get their geometric stiffness", "iteration",
-       &stiff_automatic<Dof, box>, &stiff_automatic<Dof, cone>},
+       &stiff_automatic<Dof, box>, &stiff_automatic<Dof, cone>, false, &stiff_automatic_to<Dof>},
   };
   return table;
 }

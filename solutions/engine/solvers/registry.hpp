@@ -10,6 +10,7 @@
 //   two_pass(ordered_gauss_seidel<3>(RowOrder::random, 1))      friction limited by normal forces of random sweeps
 //   geometric_stiffness(automatic<3>())                         for links that swing freely
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,11 @@ Solver<Dof> newton(FrictionModel model = FrictionModel::box);
 template <int Dof>
 Solver<Dof> direct();
 
-/// Selects factors or sweeps for each island of bodies: engine/solvers/islands.hpp. The model is box or cone.
+/// Selects factors or sweeps for each island of bodies: engine/solvers/islands.hpp. The model is box or cone. `accuracy`
+/// is the residual at which a solve ends, as a share of the right-hand side, in (0, 1); below 1e-6 not every step reaches
+/// it. Default: 1e-6, and 3e-3 of the largest approach for contacts of moving bodies.
 template <int Dof>
-Solver<Dof> automatic(FrictionModel model = FrictionModel::cone);
+Solver<Dof> automatic(FrictionModel model = FrictionModel::cone, std::optional<double> accuracy = {});
 
 /// Projected Gauss-Seidel in stripes of space, on the threads of the settings.
 template <int Dof>
@@ -101,6 +104,8 @@ struct NamedSolver {
   /// Creates the solver with friction on Coulomb's cones; null if it has no such version.
   Solver<Dof> (*make_on_cones)();
   bool takes_row_order = false;  ///< ordered_gauss_seidel is this solver in another order
+  /// Creates the solver with an accuracy, as automatic() has it; null if it has none.
+  Solver<Dof> (*make_to)(FrictionModel model, double accuracy) = nullptr;
 };
 
 /// All solvers without an inner solver. The default of a world is automatic(), "auto". The names do not depend on Dof.

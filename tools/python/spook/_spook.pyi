@@ -143,8 +143,8 @@ class PointWorld(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None, threads: int = 1,
-                 check: bool = True) -> None:
+                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None,
+                 accuracy: float | None = None, threads: int = 1, check: bool = True) -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
@@ -156,6 +156,8 @@ class PointWorld(_EitherWorld):
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4. max_parts is the
         largest number of parts of a step, a power of two. soft_steps is a number of substeps: the method of
         game engines, fast and accurate to a per cent or so, without k, d, solver, warm_start and max_parts.
+        accuracy replaces solver and soft_steps by one number: from 0.01 to 0.1 it takes soft steps, below it a
+        solve leaves this share of the right-hand side.
         check tests after each step that the run is sound, for state, reason and the warning; this costs about
         as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
@@ -184,8 +186,8 @@ class World(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None, threads: int = 1,
-                 check: bool = True, rotation: str = "splitting") -> None:
+                 integrator_order: int = 2, max_parts: int = 32, soft_steps: int | None = None,
+                 accuracy: float | None = None, threads: int = 1, check: bool = True, rotation: str = "splitting") -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
@@ -198,7 +200,8 @@ class World(_EitherWorld):
         "splitting", "exponential" or "first_order". max_parts is the largest number of parts of a step, a power
         of two: steps are divided if bodies on joints rotate fast or carry heavy loads. soft_steps is a number of
         substeps: the method of game engines, fast and accurate to a per cent or so, without k, d, solver,
-        warm_start and max_parts. check tests after each step that the run is sound, for state, reason and the
+        warm_start and max_parts. accuracy replaces solver and soft_steps by one number: from 0.01 to 0.1 it
+        takes soft steps, below it a solve leaves this share of the right-hand side. check tests after each step that the run is sound, for state, reason and the
         warning; this costs about as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0, *, q: Sequence[float] = (1, 0, 0, 0), half_length: float = 0,
                   half_sides: Vector = ...) -> int:

@@ -16,7 +16,7 @@ from .film import page, show
 
 OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator_order", "row_order", "seed",
            "warm_start", "contact_margin", "friction_model", "tangents", "max_parts", "threads",
-           "soft_steps")
+           "soft_steps", "accuracy")
 
 
 def as_typed(value: Any) -> str:
@@ -46,7 +46,8 @@ class Scene:
             tolerance: float | None = None, substeps: int | None = None, integrator_order: int | None = None,
             row_order: str | None = None, seed: int | None = None, warm_start: bool | None = None,
             contact_margin: float | None = None, friction_model: str | None = None, tangents: str | None = None,
-            max_parts: int | None = None, threads: int | None = None, soft_steps: int | None = None) -> Run:
+            max_parts: int | None = None, threads: int | None = None, soft_steps: int | None = None,
+            accuracy: float | None = None) -> Run:
         """Runs the scene and compares it with its answer; then runs it again without observation, for its speed.
 
         Default of each option: the scene's own. h and time are in seconds. Raises ValueError for invalid input, and
