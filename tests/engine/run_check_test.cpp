@@ -46,6 +46,26 @@ World<3> heavy_on_light(double ratio, int sweeps, double unit = 1, double gravit
   return world;
 }
 
+/// Cubes of 1 m, one above the other with gaps, in soft steps.
+World<6> soft_tower(int cubes, double gap, int substeps) {
+  World<6> world({.friction = 0.6, .soft_steps = SoftSteps{.substeps = substeps}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (int n = 0; n < cubes; ++n)
+    world.add({.x = Vec3(0, 0, 0.5 + n + (n + 1) * gap), .half_sides = Vec3::Constant(0.5)});
+  return world;
+}
+
+// A sweep leaves some speed in a tower that settles: 0.06 m/s here, a millimetre in a step.
+TEST(RunCheck, SoftStepsAreJudgedByTheWayOfWhatTheyLeave) {
+  World<6> settling = soft_tower(20, 0, 4);
+  EXPECT_EQ(judged(settling, 120).state, State::sound) << judged(settling, 1).reason;
+  World<6> falling = soft_tower(10, 1, 1);
+  const Verdict verdict = judged(falling, 120);
+  EXPECT_EQ(verdict.state, State::unsolved);
+  EXPECT_NE(verdict.reason.find("more than a hundredth of the size 0.5 m: more substeps"), std::string::npos)
+      << verdict.reason;
+}
+
 TEST(RunCheck, SweepsThatStopEarlyAreUnsolved) {
   World<3> world = heavy_on_light(1000, 50);
   const Verdict verdict = judged(world, 3);

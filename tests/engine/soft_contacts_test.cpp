@@ -95,10 +95,31 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
 
     ConstraintSet<6> returned = heap.constraints;
     for (Row<6>& row : returned.rows) row.lambda = -1;
-    packed.return_impulses(returned);
+    packed.return_rows(h, returned);
     for (std::size_t k = 0; k < returned.rows.size(); ++k)
       EXPECT_NEAR(returned.rows[k].lambda, heap.constraints.rows[k].lambda, 60 * 1e-15 * 1e3)
           << testing::Random::seed();
+  }
+}
+
+// The rows that are returned are those of the relaxing sweep, which solves a single contact: closed or open, it may
+// approach as fast as its gap allows.
+TEST(SoftContacts, ReturnRowsThatTheRelaxingSweepHasSolved) {
+  testing::Random random;
+  for (const double gap : {-1e-3, 0.0, 1e-3}) {
+    Heap heap(random, 0);
+    heap.contacts.resize(1);
+    heap.contacts[0].gap = gap;
+    heap.constraints.rows.resize(1);
+    heap.constraints.friction.clear();
+    SoftContacts<6> packed;
+    packed.assign(heap.contacts, heap.constraints);
+    std::vector<Twist<6>> W = heap.motion.W;
+    packed.sweep_rigid(h, W);
+    packed.return_rows(h, heap.constraints);
+    EXPECT_LE(residual_on_cones({}, heap.constraints.rows, W), 1e-12) << gap << "; " << testing::Random::seed();
+    const Row<6>& row = heap.constraints.rows[0];
+    EXPECT_GE(row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]), -std::max(gap, 0.0) / h - 1e-12) << gap;
   }
 }
 

@@ -147,10 +147,14 @@ void SoftContacts<Dof>::move_gaps(double h, const std::vector<Twist<Dof>>& W) {
 }
 
 template <int Dof>
-void SoftContacts<Dof>::return_impulses(ConstraintSet<Dof>& constraints) const {
+void SoftContacts<Dof>::return_rows(double h, ConstraintSet<Dof>& constraints) const {
   for (std::size_t c = 0; c < normals_.size(); ++c) {
+    const Normal& normal = normals_[c];
     Row<Dof>* const of = &constraints.rows[constraints.normal_row(c)];
-    of[0].lambda = normals_[c].row.lambda;
+    of[0].lambda = normal.row.lambda;
+    of[0].B = -std::max(normal.gap, 0.0) / h;
+    of[0].Sigma = 0;
+    of[0].diagonal = normal.S;
     if (friction_.empty()) continue;
     of[1].lambda = friction_[c].row1.lambda;
     of[2].lambda = friction_[c].row2.lambda;

@@ -47,8 +47,9 @@ class SoftContacts {
   /// Tells whether λ of a contact was above 0 when the gaps moved.
   bool pressed(std::size_t contact) const { return normals_[contact].pressed; }
 
-  /// Copies λ to the rows of the contacts.
-  void return_impulses(ConstraintSet<Dof>& constraints) const;
+  /// Copies λ to the rows of the contacts, and makes these the rows of the relaxing sweep in a substep of `h` [s]: their
+  /// residual is what this sweep has left.
+  void return_rows(double h, ConstraintSet<Dof>& constraints) const;
 
  private:
   template <class Target>

@@ -50,6 +50,16 @@ static double largest_size(const std::vector<double>& sizes, const std::vector<J
   return largest;
 }
 
+/// Returns the smallest size of bodies and joints [m]; 0 if there is none.
+static double smallest_size(const std::vector<double>& sizes, const std::vector<Joint>& joints) {
+  double smallest = infinity;
+  for (const double size : sizes)
+    if (size > 0) smallest = std::min(smallest, size);
+  for (const Joint& joint : joints)
+    if (size_of(joint) > 0) smallest = std::min(smallest, size_of(joint));
+  return std::isfinite(smallest) ? smallest : 0;
+}
+
 /// Returns ½ k gap² of all joints [J].
 template <int Dof>
 static double energy_of_joints(const World<Dof>& world) {
@@ -145,14 +155,23 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
   if (world.settings().stepper)
     for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
-  // Soft steps do not sweep until a rate can be seen: each sweep begins where the last one ended.
-  const bool soft = world.settings().soft_steps.has_value();
-  const double left = soft ? residual : estimated_error(residual, world.solved().history);
+  if (world.settings().soft_steps) {
+    // Each sweep begins where the last one ended, so a rate cannot be seen, and the residual is the error. It may be as
+    // large as what it does to positions.
+    const double size = smallest_size(sizes_, world.joints()), way = h * residual;
+    if (way <= share_unsolved * std::max(h * asked, size)) return;
+    ++verdict_.unsolved;
+    return find(State::unsolved, world,
+                "the solver's error is " + text(residual) + " m/s, so bodies move by " + text(way) +
+                    " m in a step, more than a hundredth of the size " + text(size) +
+                    " m: more substeps would reduce it");
+  }
+  const double left = estimated_error(residual, world.solved().history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
   find(State::unsolved, world,
        "the solver's error is " + text(left) + " m/s, where the right-hand side is " + text(asked) +
-           " m/s: " + (soft ? "more substeps" : "more sweeps, or the direct solver,") + " would reduce it");
+           " m/s: more sweeps, or the direct solver, would reduce it");
 }
 
 template <int Dof>

@@ -21,6 +21,7 @@
 //                - nothing can move
 //
 //   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
+//   soft steps        are unsolved if this error moves bodies by more than a hundredth of the smallest size in a step
 //   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
 //                     speeds, too
 //   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of the first step and the work of motors; Δx is a body's

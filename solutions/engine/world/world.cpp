@@ -63,7 +63,10 @@ void World<Dof>::step_part(double h) {
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
-  if (!contacts_.empty() || !joints_.empty()) set_default_stiffness(h);
+  if (!contacts_.empty() || !joints_.empty()) {
+    prepare_motion(h);
+    set_default_stiffness(h);
+  }
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
@@ -116,7 +119,6 @@ void World<Dof>::evaluate_forces(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
   if (!kinematic_.empty()) update_kinematic_velocities(h);
-  if (!contacts_.empty() || !joints_.empty() || settings_.soft_steps) prepare_motion(h);
 }
 
 /// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body with rows
@@ -156,19 +158,25 @@ Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) c
   return change;
 }
 
+/// Returns W_f = h M⁻¹ f of a body, the kick that it would get at rest, with the gyroscopic torque of its present ω.
+template <int Dof>
+Twist<Dof> World<Dof>::change_by_forces(std::size_t i, double h) const {
+  Twist<Dof> Wf = Twist<Dof>::Zero();
+  Wf.template head<3>() = kick(Vec3::Zero(), forces_[i], bodies_.motion.inverse_mass[i].linear, h);
+  if constexpr (Dof == 6)
+    if (!bodies_.is_fixed(i))
+      Wf.template tail<3>() = turned_by_torques(i, bodies_.motion.W[i].template tail<3>(), h);
+  return Wf;
+}
+
 /// Computes the input of rows and impacts in addition to W: W_f and, for rigid bodies, the inertia.
 template <int Dof>
 void World<Dof>::prepare_motion(double h) {
   Motion<Dof>& motion = bodies_.motion;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    // W_f = h M⁻¹ f, the kick of a body at rest.
-    motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
-    if constexpr (Dof == 6) {
-      if (bodies_.is_fixed(i)) continue;
-      const Vec3 omega = motion.W[i].template tail<3>();
-      motion.Wf[i].template tail<3>() = turned_by_torques(i, omega, h);
-      motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
-    }
+    motion.Wf[i] = change_by_forces(i, h);
+    if constexpr (Dof == 6)
+      if (!bodies_.is_fixed(i)) motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
   }
 }
 
@@ -272,7 +280,7 @@ void World<Dof>::solve_rows(double h) {
   SolverResult outcome = settings_.solver.solve(solver_input(V_, h, stop_rule(h)));
   row_updates_ += outcome.updates(rows().size());
   solved_ = std::move(outcome.report);
-  const bool may_bounce = settings_.impacts || materials_.any();  // impact_law needs the forces
+  const bool may_bounce = settings_.impacts || materials_.bounce();  // impact_law needs the forces
   if (settings_.warm_start || settings_.solver.wants_last || may_bounce)
     start_.remember(constraints_, contacts_, h, settings_.threads);
 }
@@ -320,17 +328,14 @@ void World<Dof>::integrate(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.is_fixed(i)) continue;
     Twist<Dof>& W = bodies_.motion.W[i];
-    // W <- W + h M⁻¹ f + V
-    Vec3 v = kick(W.template head<3>(), forces_[i], bodies_.motion.inverse_mass[i].linear, h);
-    if (!rows().empty()) v += V_[i].template head<3>();
-    W.template head<3>() = v;
-    bodies_.x[i] = drift(bodies_.x[i], v, h);
-    if constexpr (Dof == 6) {
-      Vec3 omega = W.template tail<3>();
-      omega += turned_by_torques(i, omega, h);
-      if (!rows().empty()) omega += V_[i].template tail<3>();
-      W.template tail<3>() = turned(i, omega, h);
+    if (rows().empty()) {
+      W += change_by_forces(i, h);
+    } else {
+      W += bodies_.motion.Wf[i];
+      W += V_[i];
     }
+    bodies_.x[i] = drift(bodies_.x[i], W.template head<3>(), h);
+    if constexpr (Dof == 6) W.template tail<3>() = turned(i, W.template tail<3>(), h);
     if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();
   }
   recovered_.clear();

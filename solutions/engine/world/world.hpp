@@ -386,7 +386,7 @@ class World {
   template <class Normals>
   void sweep_all_rows(const Normals& sweep_normals);
   void integrate_positions(double h);
-  void add_work_of_soft_drives();
+  void add_work_of_soft_drives(double h);
   void note_approaches(double h);
   void restitute();
   void divide_steps(double h);
@@ -434,6 +434,7 @@ class World {
   Vec3 force(std::size_t i) const;
   void note_start(const char* how, double h);
   void forget_the_last_step();
+  Twist<Dof> change_by_forces(std::size_t i, double h) const;
   void prepare_motion(double h);
   void require_directions(double h) const;
   void count_turns();

@@ -24,20 +24,26 @@ void World<Dof>::step_softly(double h) {
   clock_.run(Stage::contacts, [&] { find_contacts_on_the_way(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
   if (h_ > 0 && h_part != h_) shift_to_step(h_part);
+  prepare_motion(h_part);
   clock_.run(Stage::rows, [&] { build_soft_contacts(h_part); });
   note_approaches(h);
   for (int part = 0; part < parts_; ++part) {
-    if (part > 0) clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+    if (part > 0) {
+      clock_.run(Stage::forces, [&] {
+        evaluate_forces(h_part);
+        prepare_motion(h_part);
+      });
+    }
     integrate_velocities();
     clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
     clock_.run(Stage::solve, [&] { sweep_soft_rows(h_part); });
     clock_.run(Stage::integrate, [&] { integrate_positions(h_part); });
     clock_.run(Stage::solve, [&] { sweep_rigid_rows(h_part); });
-    add_work_of_soft_drives();
+    add_work_of_soft_drives(h_part);
     end_step(h_part);
   }
   clock_.run(Stage::rows, [&] {
-    soft_contacts_.return_impulses(constraints_);
+    soft_contacts_.return_rows(h_part, constraints_);
     start_.remember(constraints_, contacts_, h_part, settings_.threads);
   });
   if (!approaches_.empty()) clock_.run(Stage::impacts, [&] { restitute(); });
@@ -163,9 +169,9 @@ void World<Dof>::integrate_positions(double h) {
 
 /// The work of λ at the mean of a substep's two velocities. V_ holds the first one.
 template <int Dof>
-void World<Dof>::add_work_of_soft_drives() {
+void World<Dof>::add_work_of_soft_drives(double h) {
   if (joints_.empty() && kinematic_.empty()) return;
-  soft_contacts_.return_impulses(constraints_);
+  soft_contacts_.return_rows(h, constraints_);
   for (std::size_t i = 0; i < V_.size(); ++i) V_[i] -= bodies_.motion.W[i] + bodies_.motion.Wf[i];
   add_work_of_drives();
 }
