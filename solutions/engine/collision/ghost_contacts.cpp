@@ -83,17 +83,12 @@ class Surfaces {
 /// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n.
 bool is_ghost(int body, int other, const Vec3& n, const std::vector<Support>& supports,
               const Surfaces& surfaces) {
-  const Box* box = surfaces.box(other);
-  if (!box) return false;
+  if (!surfaces.box(other)) return false;
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-    const Vec3& m = support.m;
-    const bool rises =
-        m.dot(box->x) > support.face + box->half_sides.minCoeff() / 25;  // its centre is above the face
-    if (rises) return false;
-    if (support.other == other || n.dot(m) >= parallel) return false;
-    const double size = std::min(surfaces.size(body), surfaces.size(other));
-    const double step = std::min(1e-3 * size + 2 * std::max(0.0, -support.gap), size / 25);
-    return Surfaces::height(m, *box) <= support.face + step;
+    if (support.other == other || n.dot(support.m) >= parallel) return false;
+    const double size = std::min(surfaces.size(body), surfaces.size(other)), most = size / 25;
+    const double depth = std::max(0.0, -support.gap), face = surfaces.face_along(support.m, other);
+    return depth <= most && face > -infinity && face <= support.face + std::min(1e-3 * size + 2 * depth, most);
   });
 }
 
