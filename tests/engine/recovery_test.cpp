@@ -8,6 +8,7 @@
 #include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 #include "random_input.hpp"
+#include "scenes/number.hpp"
 
 namespace spook::recovery_test {
 namespace {
@@ -281,6 +282,28 @@ TEST(Recovery, LetsABallSwingOnARopeThatBeganTooLong) {
     fastest = std::max(fastest, world.v(bob).norm());
   }
   EXPECT_NEAR(fastest, std::sqrt(2 * g), 1e-2 * std::sqrt(2 * g));
+}
+
+// Recovery leaves no speed, so a gap becomes (1 - a h) of itself: with the default d of joints, -1 of itself for ever.
+TEST(Recovery, ClosesTheGapOfAJointThatDoesNotFit) {
+  for (const JointKind kind : {JointKind::ball, JointKind::hinge, JointKind::slider, JointKind::weld})
+    for (const double off : {1e-2, 1e-3, 1e-4})
+      for (const double rate : {60.0, 240.0}) {
+        World<6> world({});
+        const int nail = world.add_fixed(Vec3(0, 0, 2));
+        const int rod = world.add({.x = Vec3(0, 0, 1), .mass = 2, .half_sides = Vec3(0.1, 0.1, 0.5)});
+        const int joint = world.add_joint(
+            {.i = nail, .j = rod, .p_j = Vec3(0, 0, 1 - off), .kind = kind, .axis = Vec3::UnitY()});
+        for (int step = 0; step < 60; ++step) world.step(1 / rate);
+        const std::string which = "kind " + std::to_string(static_cast<int>(kind)) + ", off by " +
+                                  exact_text(off) + " m, " + exact_text(rate) + " steps a second";
+        EXPECT_LE(gap_of(world.joints()[0], world.bodies()).apart.norm(), 1e-8) << which;
+        EXPECT_LE((world.joint_force(joint) - Vec3(0, 0, 2 * g)).norm(), 1e-3 * 2 * g) << which;
+        // The same after somebody moves it.
+        world.place(rod, world.x(rod) + Vec3(0, 0, off), Vec3::Zero());
+        for (int step = 0; step < 60; ++step) world.step(1 / rate);
+        EXPECT_LE((world.joint_force(joint) - Vec3(0, 0, 2 * g)).norm(), 1e-3 * 2 * g) << which << ", moved";
+      }
 }
 
 TEST(Recovery, CostsNothingWhereAllRests) {

@@ -9,11 +9,18 @@
 //   λ (u₀ + u₁)/2  [J]                                                                                    Eq. (13.19)
 //
 // It is summed over each mechanism: the bodies that joints connect, directly or by way of others.
+//
+// Recovery moves a gap g to (1 - a h) g, and leaves no speed that would bring it back. With the default d = 1/4 a h is
+// 2, so g would change its sign in each step for ever. Therefore the next step of such a mechanism has a relaxation of
+// at least 3/4: then a h = 4/(1 + 4 d) = 1, Eq. (3.4), and the gap closes.
 #include <vector>
 
 #include "engine/constraints/joints.hpp"
 
 namespace spook {
+
+/// Relaxation that closes a gap in one step if it leaves no speed [steps].
+inline constexpr double closing_relaxation = 0.75;
 
 /// The row of a joint's limit, or of a rope, that is no spring.
 struct RigidLimit {

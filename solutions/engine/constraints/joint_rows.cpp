@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/constraints/joint_recovery.hpp"
 #include "engine/constraints/parameter_cache.hpp"
 
 namespace spook {
@@ -148,7 +149,8 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
                     std::vector<Row<Dof>>& rows, double least_d) {
   ParameterCache spook_of(h);
   for (const Joint& joint : joints) {
-    const double d = joint.has_default_k ? std::max(*joint.d, least_d) : *joint.d;
+    const double least = joint.recovered ? std::max(least_d, closing_relaxation) : least_d;
+    const double d = joint.has_default_k ? std::max(*joint.d, least) : *joint.d;
     if constexpr (Dof == 6)
       if (joint.is_guided()) {
         add_guided_rows(joint, h, d, bodies, rows);

@@ -61,6 +61,8 @@ struct Joint {
   double angle = 0;
   /// Set by the world if k, k_turn follow masses and step.
   bool has_default_k = false, has_default_k_turn = false;
+  /// Set by the world if its rows have recovered in the last step, engine/constraints/joint_recovery.hpp.
+  bool recovered = false;
 
   /// Tells whether the joint is a hinge, a slider or a weld.
   bool is_guided() const { return kind > JointKind::rope; }

@@ -369,7 +369,8 @@ class World {
     std::vector<Vec3> x;
     std::vector<Twist<Dof>> W, V;
     std::vector<Quat> q;
-    std::vector<double> angles;  ///< of the hinges [rad]
+    std::vector<double> angles;   ///< of the hinges [rad]
+    std::vector<bool> recovered;  ///< of the joints
     WarmStartCache start;
     double time = 0, h = 0, gap_step = 0;
   };

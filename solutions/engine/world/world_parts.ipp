@@ -64,6 +64,8 @@ void World<Dof>::remember_state() {
   before.V = V_;
   before.angles.clear();
   for (const std::size_t hinge : hinges_) before.angles.push_back(joints_[hinge].angle);
+  before.recovered.clear();
+  for (const Joint& joint : joints_) before.recovered.push_back(joint.recovered);
   before.start = start_;
   before.time = time_;
   before.h = h_;
@@ -78,6 +80,7 @@ void World<Dof>::go_back() {
   if constexpr (Dof == 6) bodies_.orientations.q = before.q;
   V_ = before.V;
   for (std::size_t n = 0; n < hinges_.size(); ++n) joints_[hinges_[n]].angle = before.angles[n];
+  for (std::size_t n = 0; n < joints_.size(); ++n) joints_[n].recovered = before.recovered[n];
   start_ = before.start;
   time_ = before.time;
   h_ = before.h;

@@ -216,6 +216,7 @@ void World<Dof>::take_state_from(const World& other) {
   if (joints_.size() != other.joints_.size()) return;
   start_ = other.start_;
   for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;
+  for (std::size_t n = 0; n < joints_.size(); ++n) joints_[n].recovered = other.joints_[n].recovered;
 }
 
 template <int Dof>
