@@ -38,6 +38,13 @@ Table Table::where(const std::string& column, double value) const {
   return kept;
 }
 
+std::vector<std::string> Table::texts(const std::string& column) const {
+  const std::size_t c = index(column);
+  std::vector<std::string> values;
+  for (const auto& row : rows_) values.push_back(row[c]);
+  return values;
+}
+
 std::vector<double> Table::numbers(const std::string& column) const {
   const std::size_t c = index(column);
   std::vector<double> values;

@@ -14,6 +14,9 @@ class Table {
   Table where(const std::string& column, const std::string& text) const;
   Table where(const std::string& column, double value) const;
 
+  /// Returns a column as it is written.
+  std::vector<std::string> texts(const std::string& column) const;
+
   /// Returns a column as numbers. Throws std::invalid_argument for a cell that is not a number.
   std::vector<double> numbers(const std::string& column) const;
 

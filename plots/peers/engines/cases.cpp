@@ -67,7 +67,8 @@ Case standing(const std::string& name, Structure which, int size, const std::vec
   const bool joints = which == Structure::grid;
   std::vector<TheirWay> theirs = {{"ODE", "quick", sixtieth, {10, 50}},
                                   {"Bullet", "sequential", sixtieth, {10, 50}}};
-  if (size <= 10 && !joints && which != Structure::field)  // MuJoCo's memory grows with the square of the rows
+  // MuJoCo's memory grows with the square of the rows, and its time faster: a wall of a hundred bricks takes minutes.
+  if (size <= 10 && which == Structure::pyramid)
     theirs.insert(theirs.end(), {{"MuJoCo", "newton", sixtieth},
                                  {"MuJoCo", "pyramids", sixtieth},
                                  {"MuJoCo", "sweeps", sixtieth, {10, 50}}});
@@ -118,6 +119,12 @@ OurWay warm_sweeps(const std::vector<double>& h, const std::vector<int>& sweeps,
           .row_order = RowOrder::interleaved};
 }
 
+/// Returns the settings without those of MuJoCo, whose format nests the bodies of a chain: its reader refuses a hundred.
+std::vector<TheirWay> without_mujoco(std::vector<TheirWay> theirs) {
+  std::erase_if(theirs, [](const TheirWay& way) { return way.engine == "MuJoCo"; });
+  return theirs;
+}
+
 }  // namespace
 
 std::vector<Case> cases() {
@@ -129,7 +136,7 @@ std::vector<Case> cases() {
        .error = "stretch over the length",
        .judge = judge<double>(keeps_its_length, 2.0),
        .ours = {{"direct", few}},
-       .theirs = all_at_once_or_sweeps(few, {50, 1000})},
+       .theirs = without_mujoco(all_at_once_or_sweeps(few, {50, 1000}))},
       {.name = "swinging wire 1000:1",
        .scene = "stiff_wire",
        .set = {{"links=10", "ratio=1000"}},
