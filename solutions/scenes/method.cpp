@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "common/require.hpp"
-#include "engine/constraints/soft_rows.hpp"
 #include "engine/support/did_you_mean.hpp"
 
 namespace spook {
@@ -22,12 +20,6 @@ FrictionModel friction_model(const Method& method) {
   if (method.friction_model) return *method.friction_model;
   const bool has_cones = named.make_on_cones && method.row_order == RowOrder::given;
   return has_cones ? FrictionModel::cone : FrictionModel::two_pass;
-}
-
-void set_accuracy(Method& method, double accuracy) {
-  if (!(accuracy > 0 && accuracy <= 0.1)) reject("accuracy", accuracy, "more than 0 and at most 0.1");
-  method.accuracy = accuracy;
-  if (accuracy >= accuracy_of_soft_steps) method.soft_steps = SoftSteps{}.substeps;
 }
 
 /// Throws std::invalid_argument for a row order with another solver, or with cones.

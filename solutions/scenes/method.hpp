@@ -24,7 +24,7 @@ struct Method {
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 
-  /// What the solver may leave in a step, as a share of the right-hand side; its own, unless given. See set_accuracy.
+  /// What the solver may leave in a step, as a share of the right-hand side; its own, unless given.
   std::optional<double> accuracy = {};
 
   /// Substeps of soft steps, engine/constraints/soft_rows.hpp, which ignore the scene's k and d; none, unless given.
@@ -45,13 +45,6 @@ FrictionModel find_friction_model(const std::string& name);
 /// Returns the friction model of a run: the given one, or the default. Throws std::invalid_argument for an unknown
 /// solver.
 FrictionModel friction_model(const Method& method);
-
-/// From this accuracy on, soft steps of four substeps are accurate enough.
-inline constexpr double accuracy_of_soft_steps = 0.01;
-
-/// Selects how steps are solved by one number, in (0, 0.1]: soft steps from accuracy_of_soft_steps on, else "auto" with
-/// this accuracy. Throws std::invalid_argument, naming accuracy and its value, for another number.
-void set_accuracy(Method& method, double accuracy);
 
 /// Returns the solver that `solver`, `friction_model`, `row_order` and `seed` describe together. Throws
 /// std::invalid_argument, naming the options, for an unknown solver, and for options that exclude each other.

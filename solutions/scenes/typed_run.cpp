@@ -66,24 +66,25 @@ static void refuse_beside_composed(const TypedRun& typed) {
 }
 
 /// Rejects options that have no effect in soft steps, whose sweeps are their own.
-static void refuse_beside_soft(const TypedRun& typed, const std::string& with) {
+static void refuse_beside_soft(const TypedRun& typed) {
   refuse_given({{"solver", typed.solver.has_value()},
                 {"iterations", typed.iterations.has_value()},
+                {"tolerance", typed.tolerance.has_value()},
                 {"row-order", typed.row_order.has_value()},
                 {"friction-model", typed.friction_model.has_value()},
                 {"integrator-order", typed.integrator_order.has_value()},
                 {"max-parts", typed.max_parts.has_value()},
                 {"warm-start", typed.warm_start}},
-               "has no effect " + with + ": leave it out");
+               "has no effect with soft-steps: leave it out");
 }
 
-/// Rejects options that choose what an accuracy chooses.
+/// Rejects options that choose another solver.
 static void refuse_beside_accuracy(const TypedRun& typed) {
   refuse_given({{"solver", typed.solver.has_value()},
                 {"row-order", typed.row_order.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()},
                 {"integrator-order", typed.integrator_order.has_value()}},
-               "has no effect with accuracy, which chooses how steps are solved: leave one of them out");
+               "has no effect with accuracy, which is that of the solver auto: leave one of them out");
 }
 
 /// Refuses options that no step of the plain engine has.
@@ -156,13 +157,11 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   }
   if (accuracy) {
     refuse_beside_accuracy(*this);
-    set_accuracy(method, parse_number("accuracy", *accuracy));
+    method.accuracy = parse_number("accuracy", *accuracy);
     if (!find_solver<3>(method.solver).make_to) method.solver = "auto";
   }
-  if (method.soft_steps)
-    refuse_beside_soft(*this, "with an accuracy from 0.01 on, which is that of soft steps");
   if (soft_steps) {
-    refuse_beside_soft(*this, "with soft-steps");
+    refuse_beside_soft(*this);
     method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);
   }
   set_rows(*this, method);

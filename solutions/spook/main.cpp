@@ -24,7 +24,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--solver", run.solver, "A solver of ./course scenes");
   command->add_option("--iterations", run.iterations, "Maximum solver iterations per step");
   command->add_option("--tolerance", run.tolerance, "Residual at which sweeps stop [m/s] (default: 0)");
-  command->add_option("--accuracy", run.accuracy, "What a solve may leave: 1e-9, or 0.01 to be fast");
+  command->add_option("--accuracy", run.accuracy, "What a solve by auto may leave, such as 1e-9");
   command->add_option("--substeps", run.substeps, "Number of substeps in a step");
   command->add_option("--row-order", run.row_order, "Order of rows: given, up, down, random, interleaved");
   command->add_option("--seed", run.seed, "Seed of a random order");

@@ -66,6 +66,18 @@ TEST(RunCheck, SoftStepsAreJudgedByTheWayOfWhatTheyLeave) {
       << verdict.reason;
 }
 
+// Gravity adds 0.16 m/s in a step, so a solver that ends at 0.1 m/s has converged to nothing.
+TEST(RunCheck, ALooseToleranceIsUnsolved) {
+  for (const double tolerance : {0.1, 1e-4}) {
+    World<3> world(
+        {.k = 1e9, .solver = gauss_seidel<3>(), .solver_limits = {.max_sweeps = 1000, .tolerance = tolerance}});
+    world.add_plane(Vec3::UnitZ(), 0);
+    for (const double z : {0.5, 1.5}) world.add({.x = Vec3(0, 0, z), .radius = 0.5});
+    EXPECT_EQ(judged(world, 3).state, tolerance == 0.1 ? State::unsolved : State::sound) << tolerance;
+    EXPECT_TRUE(world.solved().converged);
+  }
+}
+
 TEST(RunCheck, SweepsThatStopEarlyAreUnsolved) {
   World<3> world = heavy_on_light(1000, 50);
   const Verdict verdict = judged(world, 3);

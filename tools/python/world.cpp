@@ -53,12 +53,16 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
     throw std::invalid_argument("soft_steps must be from 1 to 1024, but is " + std::to_string(*soft_steps));
   Method method{.h = 1, .solver = solver};
   if (model) method.friction_model = find_friction_model(*model);
-  if (accuracy) {
-    if (solver != "auto" || soft_steps)
-      throw std::invalid_argument("solver and soft_steps must be left out with accuracy, which chooses them");
-    set_accuracy(method, *accuracy);
-    soft_steps = method.soft_steps;
-  }
+  if (accuracy && (solver != "auto" || soft_steps))
+    throw std::invalid_argument("solver and soft_steps must be left out with accuracy, which auto has");
+  method.accuracy = accuracy;
+  const Settings<Dof> standard;
+  if (soft_steps && (solver != "auto" || model || iterations != standard.solver_limits.max_sweeps ||
+                     tolerance != 0 || warm_start || max_parts != standard.max_parts))
+    throw std::invalid_argument(
+        "solver, friction_model, iterations, tolerance, warm_start and max_parts have no effect with "
+        "soft_steps: "
+        "leave them out");
   Settings<Dof> settings{
       .gravity = gravity,
       .k = k,
