@@ -22,9 +22,9 @@ class _EitherWorld:
         arrays of the bodies' numbers exist."""
     def set_material(self, body: int, other: int | None = None, *, friction: float | None = None,
                      restitution: float | None = None, k: float | None = None, d: float | None = None) -> None:
-        """Sets the material of a body in its contacts, or of a pair of bodies. Default of each value: the world's. For
-        two bodies friction is the geometric mean, which is 0 if either is 0. Restitution is the larger, k the smaller,
-        d the larger."""
+        """Sets the material of a body in its contacts, or of a pair of bodies. Default of each value: the world's,
+        also of those that an earlier call has set. For two bodies friction is the geometric mean, which is 0 if
+        either is 0. Restitution is the larger, k the smaller, d the larger."""
     def exclude_contacts(self, bodies: Sequence[int]) -> None:
         """Excludes contacts: these bodies do not touch each other from now on. A body may be in several such lists.
         Without a list, bodies on a joint touch as any two bodies do."""
@@ -65,7 +65,8 @@ class _EitherWorld:
         """Sets the velocities back by half a step, under gravity and the forces of contacts and joints. May be called
         once, before the first step."""
     def synchronized_velocity(self, body: int, h: float) -> Array:
-        """Returns the velocity at the time of the position, from the stored one, velocity_lag(h) before [m/s]."""
+        """Returns the velocity at the time of the position, from the stored one, velocity_lag(h) before [m/s]. If a
+        contact acts on the body, it is the stored one."""
     def velocity_lag(self, h: float) -> float:
         """Returns the time from velocities to positions after a step of h [s]: h/(2 parts), and 0 for an
         integrator_order of 4."""
