@@ -24,7 +24,7 @@ struct Method {
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 
-  /// What the solver may leave in a step, as a share of the right-hand side; its own, unless given.
+  /// The residual that the solver may leave in a step, as a share of the right-hand side; its own, unless given.
   std::optional<double> accuracy = {};
 
   /// Substeps of soft steps, engine/constraints/soft_rows.hpp, which ignore the scene's k and d; none, unless given.

@@ -739,13 +739,16 @@ class SoftSteps(WithModule):
 
     def test_accuracy(self):
         np.testing.assert_allclose(self.tower(accuracy=1e-9).x, self.tower().x, atol=1e-6)
-        self.refused("accuracy must be between 0 and 1, as a share of the right-hand side, but is 2", spook.World, accuracy=2)
+        self.refused("accuracy must be between 0 and 1, as a share of the right-hand side, but is 2", spook.World,
+                     accuracy=2)
         for given in ({"solver": "direct"}, {"iterations": 9}, {"tolerance": 1e-3}, {"friction_model": "box"},
                       {"warm_start": True}, {"max_parts": 1}):
-            self.refused(f"{next(iter(given))}.* have no effect with soft_steps", spook.World, soft_steps=4, **given)
+            self.refused("solver, friction_model, iterations, tolerance, warm_start and max_parts have no effect with "
+                         "soft_steps: leave them out", spook.World, soft_steps=4, **given)
         for given in ({"soft_steps": 4}, {"solver": "direct"}):
-            self.refused("solver and soft_steps must be left out with accuracy", spook.PointWorld, accuracy=1e-3, **given)
-        self.assertEqual(spook.run("stack", accuracy=0.01).options, {"accuracy": 0.01})
+            self.refused("solver and soft_steps must be left out with accuracy, which auto has", spook.PointWorld,
+                         accuracy=1e-3, **given)
+        self.assertEqual(spook.scene("stack").run(accuracy=0.01).options, {"accuracy": 0.01})
 
 
 class SavedWorlds(WithModule):
