@@ -232,6 +232,26 @@ TEST(PileScene, RestsOnSoftSpringsThoughItBounces) {
     }
 }
 
+// The force of an earlier contact says nothing about a new one. 1000 N would allow 3.2 m/s without an impact.
+TEST(Impacts, ForgetTheForceOfAContactThatHasEnded) {
+  double pressed = 1000;
+  World<3> world({.force = [&](std::size_t body,
+                               const std::vector<Vec3>&) { return Vec3(0, 0, body == 1 ? -pressed : 0); },
+                  .k = 1e5,
+                  .impacts = ImpactLaw{.restitution = 0.5}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int ball = world.add({.x = Vec3(0, 0, 0.1), .mass = 1, .radius = 0.1});
+  for (int step = 0; step < 500; ++step) world.step(0.001);
+  pressed = 0;
+  world.place(ball, Vec3(0, 0, 0.3), Vec3::Zero());  // it falls at up to 2 m/s
+  int impacts = 0;
+  for (int step = 0; step < 300; ++step) {
+    world.step(0.001);
+    impacts += world.report().impacts;
+  }
+  EXPECT_EQ(impacts, 1);
+}
+
 // A contact at the bottom carries the balls above, so its spring throws its own two faster than their weight does. If
 // that were impacts, forces of many weights would stay unbalanced: nine of them after 4 s.
 TEST(PileScene, RestsOnSoftSpringsInShortSteps) {

@@ -175,8 +175,8 @@ class Refusals(unittest.TestCase):
         self.refused("run stack --engine plain --accuracy 1e-3", "accuracy", "use --engine fast")
 
     def test_soft_steps_have_sweeps_of_their_own(self):
-        for option in ["solver direct", "iterations 5", "tolerance 1", "row-order up", "friction-model cone", "integrator-order 2",
-                       "warm-start"]:
+        for option in ["solver direct", "iterations 5", "tolerance 1", "row-order up", "friction-model cone",
+                       "integrator-order 2", "warm-start"]:
             self.refused(f"run stack --soft-steps 4 --{option}", option.split()[0], "soft-steps")
         for substeps in ["0", "1025", "few"]:
             self.refused(f"run stack --soft-steps {substeps}", "soft-steps", substeps)

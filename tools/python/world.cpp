@@ -61,8 +61,7 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
                      tolerance != 0 || warm_start || max_parts != standard.max_parts))
     throw std::invalid_argument(
         "solver, friction_model, iterations, tolerance, warm_start and max_parts have no effect with "
-        "soft_steps: "
-        "leave them out");
+        "soft_steps: leave them out");
   Settings<Dof> settings{
       .gravity = gravity,
       .k = k,

@@ -63,14 +63,12 @@ void World<Dof>::step_part(double h) {
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
-  if (!contacts_.empty() || !joints_.empty()) {
-    prepare_motion(h);
-    set_default_stiffness(h);
-  }
+  if (!contacts_.empty() || !joints_.empty()) set_default_stiffness(h);
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
     constraints_.clear();
+    start_ = {};  // it has the impulses of the last step alone
   } else {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
@@ -119,6 +117,7 @@ void World<Dof>::evaluate_forces(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
   if (!kinematic_.empty()) update_kinematic_velocities(h);
+  if (!contacts_.empty() || !joints_.empty() || settings_.soft_steps) prepare_motion(h);
 }
 
 /// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body with rows

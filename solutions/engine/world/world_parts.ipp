@@ -104,7 +104,6 @@ double World<Dof>::parts_needed_at_first(double h) {
   const double last_h = h_;
   WarmStartCache start = start_;
   evaluate_forces(h);
-  prepare_motion(h);
   set_default_stiffness(h);
   build_rows(h);
   solve_rows(h);

@@ -21,9 +21,11 @@ void World<Dof>::solve_again(double h) {
   if (joints_.empty()) stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
   const JointRecovery joints{.limits = rigid_limits(joints_, joint_rows_, bodies_, settings_.gravity, h),
                              .holding = holding_rows_with_work(joints_, joint_rows_, rows(), bodies_, V_)};
-  for (std::size_t n = 0; n < joints_.size(); ++n)
-    joints_[n].recovered = std::binary_search(joints.holding.begin(), joints.holding.end(),
-                                              joint_rows_[n]);  // holding rows come first
+  // The first row of a joint holds it, if any does.
+  const auto recovers = [&](std::size_t row) {
+    return std::binary_search(joints.holding.begin(), joints.holding.end(), row);
+  };
+  for (std::size_t n = 0; n < joints_.size(); ++n) joints_[n].recovered = recovers(joint_rows_[n]);
   if (!prepare_second_solve(solver_input(V_, h, stop), ignored, may_throw, joints, first_solve_)) return;
   std::vector<Twist<Dof>> V = V_;
   const SolverResult solved = settings_.solver.solve(solver_input(V, h, stop));

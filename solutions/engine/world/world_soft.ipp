@@ -24,16 +24,10 @@ void World<Dof>::step_softly(double h) {
   clock_.run(Stage::contacts, [&] { find_contacts_on_the_way(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
   if (h_ > 0 && h_part != h_) shift_to_step(h_part);
-  prepare_motion(h_part);
   clock_.run(Stage::rows, [&] { build_soft_contacts(h_part); });
   note_approaches(h);
   for (int part = 0; part < parts_; ++part) {
-    if (part > 0) {
-      clock_.run(Stage::forces, [&] {
-        evaluate_forces(h_part);
-        prepare_motion(h_part);
-      });
-    }
+    if (part > 0) clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
     integrate_velocities();
     clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
     clock_.run(Stage::solve, [&] { sweep_soft_rows(h_part); });

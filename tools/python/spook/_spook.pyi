@@ -156,11 +156,11 @@ class PointWorld(_EitherWorld):
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4. max_parts is the
         largest number of parts of a step, a power of two. soft_steps is a number of substeps: the method of
-        game engines, fast and accurate to a per cent or so, without k, d, solver, warm_start and max_parts.
-        accuracy is the share of the right-hand side that a solve by "auto" may leave. Default: 1e-6, and 3e-3 of
-        the fastest approach while bodies move.
-        check tests after each step that the run is sound, for state, reason and the warning; this costs about
-        as much as a sweep."""
+        game engines, fast and accurate to a per cent or so. It has no k and d, and sweeps of its own, so solver,
+        friction_model, iterations, tolerance, warm_start and max_parts are refused, too. accuracy is the share of
+        the right-hand side that a solve by "auto" may leave. Default: 1e-6, and 3e-3 of the fastest approach while
+        bodies move. check tests after each step that the run is sound, for state, reason and the warning; this
+        costs about as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
         """Adds a static body: a sphere, if it has a radius [m], else a point. Raises BufferError as add."""
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0) -> int:
@@ -200,10 +200,11 @@ class World(_EitherWorld):
         contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4, and rotation
         "splitting", "exponential" or "first_order". max_parts is the largest number of parts of a step, a power
         of two: steps are divided if bodies on joints rotate fast or carry heavy loads. soft_steps is a number of
-        substeps: the method of game engines, fast and accurate to a per cent or so, without k, d, solver,
-        warm_start and max_parts. accuracy is the share of the right-hand side that a solve by
-        "auto" may leave. Default: 1e-6, and 3e-3 of the fastest approach while bodies move. check tests after each step that the run is sound, for state, reason and the
-        warning; this costs about as much as a sweep."""
+        substeps: the method of game engines, fast and accurate to a per cent or so. It has no k and d, and sweeps
+        of its own, so solver, friction_model, iterations, tolerance, warm_start and max_parts are refused, too.
+        accuracy is the share of the right-hand side that a solve by "auto" may leave. Default: 1e-6, and 3e-3 of
+        the fastest approach while bodies move. check tests after each step that the run is sound, for state,
+        reason and the warning; this costs about as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0, *, q: Sequence[float] = (1, 0, 0, 0), half_length: float = 0,
                   half_sides: Vector = ...) -> int:
         """Adds a static body: a point, a sphere of a radius, a capsule of a radius and a half_length, or a box of
