@@ -180,8 +180,8 @@ void World<Dof>::prepare_motion(double h) {
 }
 
 /// Returns the friction and restitution of a contact, and its slowest impact [m/s]. Rows take slower approaches: those
-/// that gravity makes in a step, a bounce no higher than the sag of the contact, u²/2g = m g/k, and those that its
-/// spring can cause if it had the force F in the last step, m u²/2 = F²/2k.
+/// that gravity makes in a step or, if the step is short enough to follow the contact's spring, a bounce no higher than
+/// its sag, u²/2g = m g/k, and those that the force F of the last step can cause, m u²/2 = F²/2k.
 template <int Dof>
 ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
@@ -194,8 +194,10 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   }
   const std::vector<InverseMass<Dof>>& inverse_mass = bodies_.motion.inverse_mass;
   const double both = inverse_mass[contact.i].linear + inverse_mass[contact.j].linear;
-  const double gravity = settings_.gravity.norm(), force = start_.contact_force(contact.i, contact.j);
-  law.threshold += std::max({gravity * h, gravity * std::sqrt(2 / (both * k)), force * std::sqrt(both / k)});
+  const double gravity = settings_.gravity.norm(), time = std::sqrt(2 / (both * k));  // √(2 m/k)
+  law.threshold +=
+      h > time ? gravity * h
+               : std::max(gravity * time, start_.contact_force(contact.i, contact.j) * std::sqrt(both / k));
   return law;
 }
 

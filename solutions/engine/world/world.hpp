@@ -83,9 +83,10 @@ struct Settings {
   std::optional<double> d = {};
   double friction = 0;      ///< μ; 0: no friction rows
   double viscosity = 1e12;  ///< of sticking contacts, c of Eq. (5.4) [N s/m]; may be infinite
-  /// Restitution and friction of impacts. The threshold is increased by the largest one of three speeds: |gravity| h,
-  /// which gravity adds in a step; |gravity| √(2 m/k), of a bounce as high as the sag of the contact; and F/√(k m), which
-  /// a contact with the force F can give to its two bodies. Default: no impacts.
+  /// Restitution and friction of impacts. The threshold is increased by |gravity| h, which gravity adds in a step. If h
+  /// is below √(2 m/k), it is increased by the larger one of two other speeds instead: |gravity| √(2 m/k), of a bounce as
+  /// high as the sag of the contact, and F/√(k m), which a contact with the force F can give to its two bodies. Default:
+  /// no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< first tangent along the slip, Eq. (9.2)
   /// A solver of engine/solvers/registry.hpp, or your own. The solver also selects the friction model. Default: factors
