@@ -16,6 +16,7 @@ import math
 import re
 import sys
 import textwrap
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -247,14 +248,26 @@ def on_dark_paper(colour: str) -> str:
 
 
 def _short(svg: str) -> str:
-    """Returns the same picture with one line for each element, to a hundredth of a point, and without metadata."""
+    """Returns the same picture with one line for each element, to a hundredth of a point, and without metadata, names
+    that nothing refers to, and groups without attributes."""
     def rounded(value: re.Match) -> str:
         return f"{round(float(value[0]), 2) + 0.0:g}" if abs(float(value[0])) < 1e4 else value[0]
 
     svg = re.sub(r'(?<=href="data:)[^"]*', lambda image: "".join(image[0].split()), svg)
     svg = re.sub(r"<!DOCTYPE.*?>\s*| *<metadata>.*?</metadata>\n", "", svg, flags=re.DOTALL)
-    return re.sub(r'(?<= )(d|x|y)="([^"]*)"',
-                  lambda part: f'{part[1]}="{re.sub(_NUMBER, rounded, " ".join(part[2].split()))}"', svg)
+    svg = re.sub(r'(?<= )(d|x|y)="([^"]*)"',
+                 lambda part: f'{part[1]}="{re.sub(_NUMBER, rounded, " ".join(part[2].split()))}"', svg)
+    svg = re.sub("^ +", "", svg, flags=re.MULTILINE)
+    used = set(re.findall(r"#([\w-]+)[\")]", svg))
+    svg = re.sub(r' id="([^"]*)"', lambda name: name[0] if name[1] in used else "", svg).replace("<g/>\n", "")
+    return _without_bare_groups(svg)
+
+
+def _without_bare_groups(svg: str) -> str:
+    inner = r"<g>\n((?:<(?!/?g\b).*\n)*)</g>\n"
+    while (less := re.sub(inner, r"\1", svg)) != svg:
+        svg = less
+    return svg
 
 
 def _for_light_and_dark(svg: str) -> str:
@@ -269,6 +282,17 @@ def _for_light_and_dark(svg: str) -> str:
     svg = re.sub(r"(fill|stroke): (#[0-9a-f]{6})",
                  lambda use: f"{use[0]}; {use[1]}: var({named[use[2]]})" if use[2] in named else use[0], svg)
     return re.sub(r"(<svg\b[^>]*>)", rf"\1\n{style}", svg, count=1)
+
+
+def _with_styles_named(svg: str) -> str:
+    """Gives each style that is used twice or more a name. Hundreds of ticks would repeat theirs."""
+    used = Counter(re.findall(r' style="([^"]*)"', svg))
+    names = {style: f"s{k}" for k, style in enumerate(style for style, times in used.items() if times > 1)}
+    if not names:
+        return svg
+    rules = "".join(f".{name}{{{style}}}" for style, name in names.items())
+    svg = re.sub(r' style="([^"]*)"', lambda use: f' class="{names[use[1]]}"' if use[1] in names else use[0], svg)
+    return re.sub(r"(<svg\b[^>]*>)", lambda start: f"{start[1]}\n<style>{rules}</style>", svg, count=1)
 
 
 def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
@@ -302,4 +326,4 @@ def write(figure: Figure, path: Path, **options) -> None:
     figure.savefig(path, metadata=metadata, **options)
     if path.suffix == ".svg":
         svg = re.sub(" +$", "", _with_steady_names(path.read_text(encoding="utf-8")), flags=re.MULTILINE)
-        path.write_text(_for_light_and_dark(_short(svg)), encoding="utf-8")
+        path.write_text(_with_styles_named(_for_light_and_dark(_short(svg))), encoding="utf-8")
