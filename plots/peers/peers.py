@@ -7,20 +7,27 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
+from matplotlib.legend import Legend  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
 TITLE = "In most scenes ours takes at most half of the others' time at equal error"
 
 ENGINES = dict(zip(("spook", "Bullet", "ODE", "DART", "MuJoCo"), figures.STYLES))
+ROW, LEGEND = 2.7, 0.65  # heights [inches]
 BEST, LOST = 1e-15, 1.0  # errors are drawn between these
 
 
 def draw(data, mine):
     scenes = data.table.values("scene")
     columns = 3
-    rows = math.ceil((len(scenes) + 1) / columns)
-    figure, grid = figures.new(columns=columns, rows=rows, height=2.7 * rows, squeeze=False)
-    parts = list(grid.flat)
+    rows = math.ceil(len(scenes) / columns)
+    figure, grid = figures.new(columns=columns, rows=rows + 1, height=ROW * rows + LEGEND, squeeze=False,
+                               gridspec_kw={"height_ratios": [LEGEND] + [ROW] * rows})
+    head, parts = grid[0], list(grid[1:].flat)
+    for axes in head:
+        axes.axis("off")
+    _legend(head[columns // 2], data.table)
     for axes, scene in zip(parts, scenes):
         some = data.table.only("scene", scene)
         for engine in some.values("engine"):
@@ -36,7 +43,6 @@ def draw(data, mine):
         axes.axis("off")
     for axes in parts[max(0, len(scenes) - columns):len(scenes)]:
         axes.set_xlabel("time for a simulated second [µs]", fontsize=8.5)
-    _legend(parts[-1], data.table)
     return figure
 
 
@@ -79,12 +85,18 @@ def _range(ratios) -> str:
 
 
 def _legend(axes, table):
-    for engine in table.values("engine"):
-        axes.plot([], [], label=engine, **ENGINES[engine])
-    axes.plot([], [], color=figures.INK, marker="o", linestyle="none", alpha=0.3, markersize=3.5,
-              label="pale: dearer than another run\nof the engine with as small an error")
-    axes.plot([], [], color=figures.INK, marker="o", linestyle="none", fillstyle="none", label="hollow: lost")
-    axes.legend(loc="center", fontsize=9)
+    """Draws one legend above the first row: the engines, and below them the two kinds of points."""
+    engines = [Line2D([], [], label=engine, **ENGINES[engine]) for engine in table.values("engine")]
+    kind = {"color": figures.INK, "marker": "o", "linestyle": "none", "markersize": 4.5}
+    kinds = [Line2D([], [], label="pale: dearer than another run of the engine with as small an error", **kind, alpha=0.3),
+             Line2D([], [], label="hollow: lost", **kind, fillstyle="none")]
+    # Two legends, since the columns of a single one would be as wide as the longest label. No layout knows them: they are
+    # wider than the column of panels below.
+    for handles, place in ((engines, "upper center"), (kinds, "lower center")):
+        legend = Legend(axes, handles, [handle.get_label() for handle in handles], loc=place, ncol=len(handles),
+                        fontsize=9, borderaxespad=0)
+        legend.set_in_layout(False)
+        axes.add_artist(legend)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,28 @@ def each() -> list[tuple[str, LiveFigure]]:
     return [(folder, figure) for folder, found in figures().items() for figure in found]
 
 
+def film_settings(film: dict) -> dict[str, str]:
+    """Returns what a film's options set: `--set NAME=VALUE ...`, and `--NAME VALUE` of the method."""
+    words, found = film.get("options", []), {}
+    for before, word in zip(["", *words], words):
+        if "=" in word:
+            found |= [word.split("=", 1)]
+        elif before.startswith("--") and before not in ("--set", "--time"):
+            found[before.removeprefix("--").replace("-", "_")] = word
+    return found
+
+
+def both(settings: dict[str, str], beside: tuple[str, str] | None) -> list[dict[str, str]]:
+    """Returns the settings of the one run, or of the two."""
+    return [settings, *([settings | dict([beside])] if beside else [])]
+
+
+def values_of(scene: str, settings: dict[str, str], name: str):
+    """Returns the value of a setting in a run, be it set or the default."""
+    header, _ = played(scene, settings, 1)
+    return (header["parameters"] | header["method"])[name]
+
+
 def number(figure, header: dict, frame: dict) -> float:
     if figure.graph == "energy":
         return sum(frame["energy"].values())
@@ -78,15 +100,40 @@ class LiveFigures(unittest.TestCase):
                 self.assertTrue(figure.lasts == 0 or figure.lasts >= figure.time)
                 if figure.beside:
                     name, value = figure.beside
-                    self.assertIn(name, names - set(figure.controls))
+                    self.assertIn(name, names)
                     other, _ = played(figure.scene, figure.settings | {name: value}, 1)
                     self.assertEqual(other["bodies"], header["bodies"])
                 steps = round(figure.time / header["method"]["h"])
                 self.assertAlmostEqual(steps * header["method"]["h"], figure.time, delta=0.51 * header["method"]["h"])
                 _, frame = played(figure.scene, figure.settings, steps)
-                # As many digits as the line has: those of a number that is right, whatever the compiler rounds.
-                shown = number(figure, header, frame)
-                self.assertEqual(f"{shown:.{digits(figure.said)}g}", f"{figure.value:.{digits(figure.said)}g}")
+                self.assert_shown(number(figure, header, frame), figure.said)
+
+    def assert_shown(self, value: float, said: str) -> None:
+        """Compares as many digits as the line has: those of a number that is right, whatever the compiler rounds."""
+        self.assertEqual(f"{value:.{digits(said)}g}", f"{float(said):.{digits(said)}g}")
+
+    def test_each_trial_gives_what_the_figure_says(self):
+        for folder, figure in each():
+            self.assertTrue(figure.trials and figure.argues, f"{folder}: {figure.scene} says what to change, and why")
+            controls = {control["name"]: control for control in played(figure.scene, figure.settings, 1)[0]["controls"]}
+            for trial in figure.trials:
+                with self.subTest(folder, scene=figure.scene, trial=trial.changed):
+                    self.assertLessEqual(set(trial.changed), set(figure.controls))
+                    for name, value in trial.changed.items():
+                        control = controls[name]
+                        self.assertTrue(value in control["choices"] if "choices" in control
+                                        else control["low"] <= float(value) <= control["high"], name)
+                    settings = figure.settings | trial.changed
+                    header, _ = played(figure.scene, settings, 1)
+                    steps = round(figure.time / header["method"]["h"])
+                    self.assertAlmostEqual(steps * header["method"]["h"], figure.time, delta=0.51 * header["method"]["h"])
+                    self.assert_shown(number(figure, *played(figure.scene, settings, steps)), trial.said)
+
+    def test_equations_that_a_figure_names_exist(self):
+        text = "".join(lessons().values())
+        for folder, figure in each():
+            for equation in re.findall(r"Eq\. \(([0-9.]+)\)", figure.argues):
+                self.assertIn(f"\\tag{{{equation}}}", text, folder)
 
     def test_both_ends_of_every_control_are_accepted(self):
         for folder, figure in each():
@@ -116,6 +163,34 @@ class LiveFigures(unittest.TestCase):
                 with self.subTest(folder):
                     self.assertIn(beside.partition("=")[0], (*figure.controls, *(figure.beside or ())[:1]))
 
+    def test_the_caption_of_the_film_describes_the_figure_too(self):
+        """Each setting that a film names has, in the figure, the value of one of the film's runs."""
+        for folder, (figure, *_) in figures().items():
+            film = films()[folder]
+            beside = tuple(film["beside"].split("=", 1)) if "beside" in film else None
+            filmed = both(film_settings(film), beside)
+            for name in filmed[-1]:
+                with self.subTest(folder, setting=name):
+                    values = [values_of(film["scene"], settings, name) for settings in filmed]
+                    for settings in both(figure.settings, figure.beside):
+                        self.assertIn(values_of(figure.scene, settings, name), values)
+
+    def test_the_settings_of_a_film_are_read(self):
+        film = {"options": ["--set", "a=1", "b=x=y", "--friction-model", "cone", "--time", "2", "--iterations", "10"]}
+        self.assertEqual(film_settings(film), {"a": "1", "b": "x=y", "friction_model": "cone", "iterations": "10"})
+
+    def test_trials_are_read(self):
+        figure = live_figure("<!-- live: top h=0.5 | h update | v [m/s] | 1 at 2\n"
+                             "  | h=0.1 gives -1.5e-4; update=first_order h=2 gives 3. More is lost. Much more. -->")
+        self.assertEqual([(trial.changed, trial.said) for trial in figure.trials],
+                         [({"h": "0.1"}, "-1.5e-4"), ({"update": "first_order", "h": "2"}, "3")])
+        self.assertEqual(figure.says(),
+                         "Before you change a setting, the graph shows 1 m/s after 2 s. If you set h to 0.1 and begin again, "
+                         "the graph shows −1.5·10⁻⁴ m/s at that time. If you set update to first_order and h to 2 and begin "
+                         "again, the graph shows 3 m/s at that time. More is lost. Much more.")
+        self.assertTrue(live_figure("<!-- live: top | h | error | 1 at 2 | It falls. -->").says().endswith("2 s. It falls."))
+        self.assertTrue(live_figure("<!-- live: top | h | error | 1 at 2 | h=1 gives 3.5. -->").says().endswith("that time."))
+
     def test_options_are_read(self):
         figure = live_figure("<!-- live: wire ratio=10 beside ratio=20 showing pairs impulses rate 0.5 for 3\n"
                              "     | ratio | error | 1 at 2 -->")
@@ -128,7 +203,8 @@ class LiveFigures(unittest.TestCase):
                      "<!-- live: orbit h | h | error | 1 at 2 -->", "<!-- live: orbit | a b c d | error | 1 at 2 -->",
                      "<!-- live: orbit | h | error | much at 2 -->", "<!-- live: orbit beside | h | error | 1 at 2 -->",
                      "<!-- live: orbit beside h=1 | h | error | 1 at 2 -->",
-                     "<!-- live: orbit for ever | h | error | 1 at 2 -->"):
+                     "<!-- live: orbit for ever | h | error | 1 at 2 -->", "<!-- live: orbit | h | error | 1 at 2 | -->",
+                     "<!-- live: orbit | h | error | 1 at 2 | no sentence -->"):
             with self.assertRaises(ValueError, msg=line):
                 live_figure(line)
         with self.assertRaisesRegex(ValueError, "eccentrcity"):

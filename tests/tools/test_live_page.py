@@ -5,6 +5,7 @@ import functools
 import http.server
 import threading
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 from browser import browser_for_book
@@ -15,7 +16,7 @@ from binding.front import hero
 from binding.live import ENGINE
 from binding.site import build
 
-LESSON = "01_leapfrog"
+LESSON, BESIDE = "01_leapfrog", "04_gauss_seidel"  # the second has two runs beside each other
 
 
 class LivePage(unittest.TestCase):
@@ -23,7 +24,9 @@ class LivePage(unittest.TestCase):
     def setUpClass(cls):
         folder = browser_for_book(cls)
         cls.folder = folder / "site"
-        build(cls.folder, engine=fake_engine(folder, [hero(), *figures()[LESSON]]))
+        (two,) = figures()[BESIDE]
+        second = replace(two, settings=two.settings | dict([two.beside]))
+        build(cls.folder, engine=fake_engine(folder, [hero(), *figures()[LESSON], two, second]))
 
     def tearDown(self):
         self.assertEqual(self.browser.messages(), [])
@@ -57,7 +60,7 @@ class LivePage(unittest.TestCase):
         said = self.ask("[...document.querySelectorAll('#sliders label')].map((label) => [label.querySelector('b')"
                         ".textContent, label.querySelector('.words').textContent,"
                         "(label.querySelector('output') || { textContent: '' }).textContent])")
-        self.assertEqual(said, [["h", "time step", "0.02 s"], ["eccentricity", "of the ellipse", "0.6"],
+        self.assertEqual(said, [["h", "time step", "0.05 s"], ["eccentricity", "of the ellipse", "0.6"],
                                 ["start", "half_step: velocities begin half a step back", ""]])
 
     def test_reset_sets_what_was_set_and_begins_again(self):
@@ -70,8 +73,29 @@ class LivePage(unittest.TestCase):
         self.browser.run("window.sent.length = 0")
         self.browser.driver.find_element("id", "reset").click()
         self.browser.wait(f"return {hidden}")
-        self.assertEqual(self.ask("sent"), [{"set": {"h": 0.02}}, {"restart": True}, {"pause": False}])
-        self.browser.wait("return document.querySelector('#sliders output').textContent === '0.02 s'")
+        self.assertEqual(self.ask("sent"), [{"set": {"h": 0.05}}, {"restart": True}, {"pause": False}])
+        self.browser.wait("return document.querySelector('#sliders output').textContent === '0.05 s'")
+
+    def test_two_runs_are_named_by_what_differs_also_when_it_is_changed(self):
+        self.show(f"chapters/{BESIDE}/index.html")
+        names = "[...document.querySelectorAll('#names .run')].map((node) => node.textContent)"
+        self.assertEqual(self.ask(names), ["iterations 10", "iterations 2000"])
+        self.browser.run("const slider = document.querySelector('#sliders [name=iterations]'); slider.value = 1;"
+                         "slider.dispatchEvent(new Event('input'))")
+        self.browser.wait(f"return {names}[0] === 'iterations 1000'")
+        self.assertEqual(self.ask(names)[1], "iterations 2000")
+
+    def test_nothing_is_written_over_the_picture_s_help_on_a_phone(self):
+        self.addCleanup(self.browser.emulate, "Emulation.clearDeviceMetricsOverride")
+        self.browser.emulate("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=False)
+        for lesson in (LESSON, BESIDE):
+            self.show(f"chapters/{lesson}/index.html")
+            rows = self.ask("['stage', 'how', 'transport'].map((id) => document.getElementById(id).getBoundingClientRect())"
+                            ".map(({ top, bottom }) => [top, bottom])")
+            for (top, bottom), (after, _) in zip(rows, rows[1:]):
+                self.assertTrue(top < bottom <= after + 0.5, (lesson, rows))
+            self.assertIn("pull", self.ask("document.getElementById('how').textContent"))
+            self.browser.driver.switch_to.default_content()
 
     def test_a_click_on_a_body_shows_its_numbers_and_does_not_pull_it(self):
         self.show(f"chapters/{LESSON}/index.html")

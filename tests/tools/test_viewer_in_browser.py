@@ -334,13 +334,67 @@ class Seen(Viewer):
             self.assertEqual(len(set(texts)), len(ticks), texts)
         self.assertEqual(texts, ["0", "1", "2"])
 
+    def graph(self, key: str, what: str):
+        return self.ask(f"viewer.graphs.find((graph) => graph.quantity.key === '{key}').{what}")
+
     def test_round_off_is_called_so(self):
         lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
-        for line in lines[1:-1]:
-            line["residual"] = 1e-18
+        lines[0]["error"] = {"name": "error over the answer", "unit": "relative"}
+        lines[0]["columns"][1] = "v [m/s]"
+        for k, line in enumerate(lines[1:-1]):
+            line |= {"residual": 10.0 ** (-30 + k % 5), "error": 1e-16 * (k // 20), "sample": [line["time"], -1e-17 * k]}
         self.open(recordings.text(*lines))
-        said = self.ask("document.querySelector('.graph[data-key=\"residual\"] .values').textContent")
-        self.assertEqual(said, "round-off")
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        for key in ("residual", "error", "sample"):
+            with self.subTest(key):
+                said = self.ask(f"document.querySelector('.graph[data-key=\"{key}\"] .values').textContent")
+                self.assertEqual((said, self.graph(key, "noise")), ("round-off", True))
+        self.assertEqual(self.graph("residual", "logarithmic"), True)
+        self.assertEqual((self.graph("residual", "low"), self.graph("residual", "high")), (-14, -11))  # of 1 m/s
+        self.assertAlmostEqual(self.graph("error", "high"), 1e-12, delta=1e-13)
+        self.assertLess(self.graph("sample", "low"), -1e-12)
+
+    def test_energy_constant_up_to_round_off_is_a_straight_line(self):
+        lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        for drift, least, most in ((2e-16, 0.05, 0.2), (1e-9, 6e-8, 7e-8)):
+            for k, line in enumerate(lines[1:-1]):
+                line["energy"] = {"field": 0.5 + drift * k}
+            self.open(recordings.text(*lines))
+            low, high = self.graph("energy", "low"), self.graph("energy", "high")
+            with self.subTest(drift):
+                self.assertTrue(least < high - low < most, (low, high))
+
+    def test_labels_of_a_time_axis_have_room(self):
+        self.browser.open(self.folder / "page.html")
+        for ticks, widths in (([60, 100, 140, 180], [50, 50, 50, 50]), ([60, 300], [30, 30]), ([60], [400])):
+            shown = [(centre - wide / 2, centre + wide / 2) for centre, wide
+                     in zip(self.ask(f"roomsFor({ticks}, {widths}, 344)"), widths) if centre is not None]
+            self.assertTrue(shown)
+            self.assertTrue(all(one[1] < other[0] for one, other in zip(shown, shown[1:])), shown)
+        # A run of one frame has the labels of a frame's time, and not of a billionth of a second.
+        header, frame, *_ = recordings.rolling_ball().splitlines()
+        self.open("\n".join([header, frame, json.dumps({"end": "done"}), ""]))
+        self.assertAlmostEqual(self.graph("error", "last"), recordings.H)
+
+    def test_legend_and_help_do_not_overprint(self):
+        self.addCleanup(self.browser.emulate, "Emulation.clearDeviceMetricsOverride")
+        for width, height in ((1280, 800), (800, 600), (390, 844)):
+            self.browser.emulate("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                                 mobile=False)
+            self.open(recordings.tower(20))
+            self.browser.run("viewer.scrubTo(30)")
+            self.click("show-impulses")
+            self.browser.drawn()
+            with self.subTest(width):
+                edges = "['stage', 'how', 'transport'].map((id) => document.getElementById(id).getBoundingClientRect())"
+                stage, said, bar = self.ask(f"{edges}.map(({{ top, bottom, height }}) => [top + scrollY, bottom + scrollY, height])")
+                self.assertGreater(said[2], 0)
+                self.assertLessEqual(stage[1], said[0] + 0.5)
+                keys = self.ask("(({ top, bottom }) => [top + scrollY, bottom + scrollY])"
+                                "(document.getElementById('keys').getBoundingClientRect())")
+                self.assertTrue(stage[0] <= keys[0] and keys[1] <= stage[1], (stage, keys))
+            self.click("show-impulses")
 
     def test_a_spike_does_not_hide_the_rest(self):
         lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]

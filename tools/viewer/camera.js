@@ -69,12 +69,12 @@ class Camera {
     this.followed = null;
   }
 
-  /** Places the camera so that the box fills the view. */
-  fit(box, direction, aspect) {
+  /** Places the camera so that the box fills this part of the view. */
+  fit(box, direction, aspect, part) {
     this.eye.aspect = aspect;
     const right = new THREE.Vector3().crossVectors(direction, this.eye.up).normalize();
     const top = new THREE.Vector3().crossVectors(right, direction).normalize();
-    const tall = Math.tan(FIELD / 2) * 0.88, wide = tall * aspect;
+    const tall = Math.tan(FIELD / 2) * part, wide = tall * aspect;
     let distance = 0;
     for (let corner = 0; corner < 8; ++corner) {
       const p = new THREE.Vector3(...["x", "y", "z"].map((axis, k) => (corner >> k & 1 ? box.high : box.low)[axis]))

@@ -64,9 +64,9 @@ function partingLine(first, other, size, since, most, frame) {
   return `${other.label}: ${largest}${parted}. ${here}${chaos}`;
 }
 
-/** Returns a run's state at a frame, with the reason; empty if the run is sound. */
-function stateLine(run, frame) {
+/** Returns a run's state at a frame, with the reason if it is asked for; empty if the run is sound. */
+function stateLine(run, frame, reason = true) {
   if (!frame || !frame.state || frame.state === "sound") return "";
   const named = run.label ? `${run.label}: ` : "";
-  return `${named}${frame.state} by now: ${frame.why}.`;
+  return `${named}${frame.state} by now${reason ? `: ${frame.why}` : ""}.`;
 }

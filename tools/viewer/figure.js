@@ -3,7 +3,8 @@
 //   scene, set        the scene and its initial parameters
 //   controls          names of the parameters that the reader may change
 //   graph             error, energy, residual, or a column of the scene's own numbers. Default: no graph
-//   beside            parameters of a second run, which is shown beside the first and has the same controls
+//   beside            parameters of a second run, which is shown beside the first and has the same controls. A control
+//                     of one of these parameters changes the first run alone
 //   rate, shows       simulated seconds per second; marks that are shown, such as `contacts`
 //   lasts             seconds after which the run begins again. Default: it goes on
 // The lesson's page pauses the figure while it is out of sight.
@@ -21,13 +22,12 @@ class Figure {
     });
   }
 
-  /** Returns the sides of the figure: one run, or two with their labels. */
+  /** Returns the sides of the figure: one run, or two with labels that follow their parameters. */
   sides() {
     const { scene, set, rate, beside } = this, opened = { scene, set, rate };
     if (!beside) return [new Side(new WorkerTransport(opened))];
-    const label = (values) => Object.keys(beside).map((name) => `${name} ${values[name]}`.replaceAll("_", " ")).join(", ");
-    return [new Side(new WorkerTransport(opened), label(set)),
-            new Side(new WorkerTransport({ scene, set: { ...set, ...beside }, rate }), label(beside), Object.keys(beside))];
+    const names = Object.keys(beside), other = { scene, set: { ...set, ...beside }, rate };
+    return [new Side(new WorkerTransport(opened), names), new Side(new WorkerTransport(other), names, names)];
   }
 
   /** Pauses a run out of sight and continues it in sight, unless the reader has paused it. */

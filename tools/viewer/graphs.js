@@ -4,6 +4,9 @@
 const MOST_DECADES = 8;  // of a logarithmic scale; smaller values are round-off
 const SPIKE = 5;  // a few values this many times higher than the others are cut off, with a notice
 const ROUND_OFF = 1e-14;  // of a graph's largest number; smaller values are shown as 0
+const FLAT = 1e-12;  // a smaller change, relative to the graph's largest number, is drawn as a constant
+const NOISE = 1e3;  // the scale of a graph of round-off alone, over the largest value that counts as round-off
+const LABEL_GAP = 6;  // between labels of the time axis [pixels]
 const PAD = { left: 60, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
@@ -84,13 +87,17 @@ class Graph {
       .filter((value) => isNumber(value) && !(this.logarithmic && value <= 0)).sort((a, b) => a - b);
     let [low, high] = values.length ? [values[0], lastOf(values)] : [Infinity, -Infinity];
     this.largest = values.length ? Math.max(-low, high) : 0;
-    const usual = values[Math.floor(0.98 * (values.length - 1))];
-    const spiked = !this.logarithmic && high - low > SPIKE * (usual - low) && usual > low;
+    const { least } = this.quantity;
+    this.noise = Boolean(least && this.largest > 0 && this.largest < least);
+    const usual = values[Math.floor(0.98 * (values.length - 1))], constant = high - low <= FLAT * this.largest;
+    const spiked = !this.logarithmic && !this.noise && !constant && high - low > SPIKE * (usual - low) && usual > low;
     this.peak.textContent = spiked ? `a spike reaches ${short(high)}` : "";
     if (spiked) high = low + 1.5 * (usual - low);
-    if (this.logarithmic && this.quantity.least) low = Math.max(low, Math.min(high, this.quantity.least));
+    if (this.noise) [low, high] = [this.logarithmic ? least : low < 0 ? -NOISE * least : 0, NOISE * least];
+    else if (this.logarithmic && least) low = Math.max(low, least);
     this.first = Math.min(...lines.map((line) => line.run.frames[0].time));
-    this.last = Math.max(...lines.map((line) => lastOf(line.run.frames).time), this.first + 1e-9);
+    const shortest = Math.max(...lines.map((line) => line.run.header.frame_time || 0), 1e-9);
+    this.last = Math.max(...lines.map((line) => lastOf(line.run.frames).time), this.first + shortest);
     [this.low, this.high] = this.widened(low, high);
   }
 
@@ -101,7 +108,8 @@ class Graph {
       return [clamp(bottom, top - MOST_DECADES, top - 1), top];
     }
     if (this.quantity.floor !== undefined) low = Math.min(low, this.quantity.floor);
-    const room = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
+    const flat = high - low <= FLAT * this.largest;
+    const room = flat ? 0.1 * Math.abs(high) || 1 : 0.06 * (high - low);
     return [low === this.quantity.floor ? low : low - room, high + room];
   }
 
@@ -132,11 +140,14 @@ class Graph {
     }
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";
-    const times = steps(this.first, this.last, 5), when = tickTexts(times);
+    if (this.noise) writeOver(pen, "round-off", (PAD.left + width - PAD.right) / 2, height / 2);
+    const times = steps(this.first, this.last, 5), when = tickTexts(times).map((text) => `${text} s`);
+    const rooms = roomsFor(times.map((time) => this.xOf(time, width)), when.map((text) => pen.measureText(text).width),
+                           width);
     for (const [k, time] of times.entries()) {
       const x = Math.round(this.xOf(time, width)) + 0.5;
       stroke(pen, x, height - PAD.bottom, x, height - PAD.bottom + 3);
-      pen.fillText(`${when[k]} s`, clamp(x, PAD.left, width - 20), height - 2);
+      if (rooms[k] !== null) pen.fillText(when[k], rooms[k], height - 2);
     }
   }
 
@@ -206,6 +217,24 @@ function stroke(pen, x, y, toX, toY) {
   pen.moveTo(x, y);
   pen.lineTo(toX, toY);
   pen.stroke();
+}
+
+/** Writes a centred text in place of the lines behind it. */
+function writeOver(pen, text, x, y) {
+  const { width } = pen.measureText(text);
+  pen.clearRect(x - width / 2 - 4, y - 11, width + 8, 15);
+  pen.fillText(text, x, y);
+}
+
+/** Returns the centre of each label of a time axis near its tick, inside the graph; null where the label has no room. */
+function roomsFor(ticks, widths, width) {
+  let end = -Infinity;
+  return ticks.map((tick, k) => {
+    const half = widths[k] / 2, centre = clamp(tick, PAD.left, width - half);
+    if (centre - half < end + LABEL_GAP) return null;
+    end = centre + half;
+    return centre;
+  });
 }
 
 /** Returns tick labels with enough digits to differ, or, beyond 7 digits, as differences from the first. */

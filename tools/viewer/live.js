@@ -6,10 +6,15 @@ const GROWN = 1.1;      // growth of the bodies' box after which the view is fit
 const FARTHEST = 4;     // largest size that is still fitted, over the first size
 const GRAPHS_EVERY = 150;  // [ms]
 
-/** A run and its engine. No command sets the parameters named in `keeps`. */
+/** A run and its engine. The parameters in `named` label it; no command sets those in `keeps`. */
 class Side {
-  constructor(transport, label = "", keeps = []) {
-    Object.assign(this, { transport, label, keeps, run: null, pending: null });
+  constructor(transport, named = [], keeps = []) {
+    Object.assign(this, { transport, named, keeps, run: null, pending: null });
+  }
+
+  labelOf({ controls = [] }) {
+    return controls.filter(({ name }) => this.named.includes(name))
+      .map(({ name, value }) => `${name} ${value}`.replaceAll("_", " ")).join(", ");
   }
 
   send(command) {
@@ -96,7 +101,7 @@ class Live {
     const more = first ? 0 : header.bodies.length - side.run.header.bodies.length;
     const before = first || more < 0 || frame.time < lastOf(side.run.frames).time ? [] : side.run.frames;
     const same = !first && more === 0;
-    side.run = { header, frames: [...before, frame], notice: "", label: side.label, live: true };
+    side.run = { header, frames: [...before, frame], notice: "", label: side.labelOf(header), live: true };
     if (this.sides.every(({ run }) => run)) this.showRuns(same || before.length > 0 || frame.touched, first);
     if (!before.length) this.firstSize = this.viewer.picture.box && this.viewer.picture.box.size;
     side.run.frames.pop();  // frame() adds it

@@ -135,10 +135,13 @@ class Viewer {
     const at = { time: this.player.time, frameOf: (run) => this.player.frameOf(run) };
     for (const graph of this.graphs) graph.drawCursor(at);
     this.legend.update(this.picture);
-    const states = this.runs.map((run) => stateLine(run, this.player.frameOf(run)));
+    const states = this.runs.map((run) => stateLine(run, this.player.frameOf(run), !this.figure));
     const partings = (this.live ? [] : this.runs.slice(1)).map((run, k) =>
       partingLine(this.runs[0], run, this.picture.box.size, this.since[k], this.farthest[k], frames[0]));
-    document.getElementById("parting").textContent = [...states.filter(Boolean), ...partings].join("\n");
+    const parting = document.getElementById("parting");
+    parting.textContent = [...states.filter(Boolean), ...partings].join("\n");
+    // A figure has no room for the reasons.
+    if (this.figure) parting.title = this.runs.map((run) => stateLine(run, this.player.frameOf(run))).join("\n").trim();
   }
 
   say(notice) {

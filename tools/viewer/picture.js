@@ -55,7 +55,9 @@ class Picture {
   fit() {
     const { width, height } = this.panel(0);
     this.camera.followed = null;
-    this.camera.fit(this.box, directionFor(this.box, this.runs.some(floorOf)), width / height);
+    // A small picture of two runs has their names above it.
+    const part = this.runs.length > 1 && document.body.classList.contains("figure") ? 0.74 : 0.88;
+    this.camera.fit(this.box, directionFor(this.box, this.runs.some(floorOf)), width / height, part);
   }
 
   /** Draws one frame of each run. */
