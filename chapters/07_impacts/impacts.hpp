@@ -20,7 +20,8 @@
 //   K   collision matrix of Eq. (3.8) [1/kg]                                     J   impulse [N s], + on j, - on i
 //
 // Differs from the notes: (4) is used only if its denominator is positive. An impulse of the notes that would add
-// energy is replaced by Eq. (7.7), which never does. An impact ignores joints: it models a free pair.
+// energy is replaced by Eq. (7.7), which never does. An impact ignores joints: it models a free pair, and the engine
+// adds the joints, Eq. (7.19).
 #include <optional>
 #include <vector>
 

@@ -98,6 +98,17 @@ static void refuse_beside_plain(const TypedRun& typed) {
                "needs the fast engine: leave it out, or use --engine fast");
 }
 
+/// Refuses a seed where no rows are in a random order. A scene with random bodies has a seed of its own.
+static void require_random_order(const TypedRun& typed, const SceneDescription& description, RowOrder order) {
+  if (!typed.seed || order == RowOrder::random) return;
+  const std::vector<Parameter>& of_scene = description.parameters;
+  const bool has_own =
+      std::any_of(of_scene.begin(), of_scene.end(), [](const Parameter& p) { return p.name == "seed"; });
+  throw std::invalid_argument(
+      "seed has no effect without row-order random: " +
+      (has_own ? "for the scene's own, use --set seed=" + *typed.seed : "leave it out"));
+}
+
 /// Refuses a list in the place of a number.
 static void refuse_lists(const TypedRun& typed) {
   const std::vector<std::pair<std::string, std::optional<std::string>>> numbers = {
@@ -165,6 +176,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);
   }
   set_rows(*this, method);
+  require_random_order(*this, description, method.row_order);
   if (method.integrator_order == 4) refuse_beside_composed(*this);
   // A row order, or the cone, replaces the scene's solver if that solver does not support it.
   if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;

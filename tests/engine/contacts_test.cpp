@@ -106,7 +106,7 @@ TEST(Contacts, AreFoundAnewWhereABodyHasGone) {
   expect_same(contacts, found_from_nothing(shapes, world.bodies(), 0), "without the last body");
 }
 
-/// Of 40 balls in a row, a tenth of a radius apart.
+/// Returns the bounds of 40 balls in a row, a tenth of a radius apart.
 std::vector<Bounds> row_of_bounds() {
   std::vector<Bounds> bounds;
   for (int k = 0; k < 40; ++k) {

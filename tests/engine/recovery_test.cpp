@@ -211,7 +211,7 @@ TEST(Recovery, TurnsAHingeBackIntoItsRangeWithoutSpeed) {
         EXPECT_LE(kinetic_energy(world.bodies()), 1.001 * 10.0 / 2 * closing * closing)
             << "h = " << h << ", step " << n;
       }
-      // Of each closing speed the part φ is along the turn, so that beyond/φ steps leave closing/r times `beyond`.
+      // The part φ of each closing speed is along the turn, so that beyond/φ steps leave closing/r times `beyond`.
       EXPECT_NEAR(last, 0.5, (1e-5 + 0.25 * h) * beyond) << "h = " << h << ", beyond " << beyond;
     }
 }

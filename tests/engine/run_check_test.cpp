@@ -66,6 +66,22 @@ TEST(RunCheck, SoftStepsAreJudgedByTheWayOfWhatTheyLeave) {
       << verdict.reason;
 }
 
+// Velocities are half a part behind positions, so the work of forces is along where bodies were then.
+TEST(RunCheck, WhatFallsAndWhatSwingsIsSoundInStepsOfParts) {
+  for (const int substeps : {1, 2, 4, 16}) {
+    World<3> falling({.soft_steps = SoftSteps{.substeps = substeps}});
+    World<3> swinging({.gravity = Vec3::Zero(),
+                       .force = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -x[i]; },
+                       .soft_steps = SoftSteps{.substeps = substeps}});
+    for (World<3>* world : {&falling, &swinging}) {
+      world->add({.x = Vec3(1, 0, 0), .mass = 1});
+      world->start_half_step_back(0.01);
+      const Verdict verdict = judged(*world, 1000, 0.01);
+      EXPECT_EQ(verdict.state, State::sound) << substeps << ": " << verdict.reason;
+    }
+  }
+}
+
 // Gravity adds 0.16 m/s in a step, so a solver that ends at 0.1 m/s has converged to nothing.
 TEST(RunCheck, ALooseToleranceIsUnsolved) {
   for (const double tolerance : {0.1, 1e-4}) {

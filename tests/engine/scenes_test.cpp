@@ -54,7 +54,7 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"gyroscope", 2e-4},
       // (1 + 2d) h² ω² / 4 and the like, with 5/s.
       {"bead", 5e-5},
-      // Of second order, with constants that depend on the motion: published in plots/mechanisms.
+      // These errors are of second order, with constants that depend on the motion: published in plots/mechanisms.
       {"four_bar", 1e-4},
       {"andrews", 1e-3},
       {"bricard", 1e-4},

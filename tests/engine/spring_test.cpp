@@ -75,7 +75,7 @@ TEST(Springs, UndampedPendulumNeitherGainsNorLoses) {
 }
 
 TEST(Springs, NoStiffnessOrDampingMakesAStepUnstable) {
-  // Of all discrete oscillators the one with 1, 1, -1, -1 has the largest amplitude, √2.
+  // The discrete oscillator with 1, 1, -1, -1 has the largest amplitude of all, √2.
   for (const double h : {1.0 / 30, 1.0 / 240})
     for (double k = 0; k <= 1e18; k = k > 0 ? 31 * k : 1)
       for (double c = 0; c <= 1e15; c = c > 0 ? 31 * c : 1e-3) {

@@ -227,6 +227,8 @@ class Refusals(unittest.TestCase):
         self.refused("run orbit --csv", "--csv needs a value")
         self.refused("run orbit --set", "--set needs a value")
         self.refused("run stack --iterations 10,12", "iterations must be one number", '"10,12"', "a sweep of iterations takes a list")
+        self.refused("run orbit --seed 3", "seed has no effect without row-order random: leave it out")
+        self.refused("run pile --seed 3 --row-order up", "for the scene's own, use --set seed=3")
         self.refused("run stack --iterations many", "iterations must be a whole number from 1", '"many"')
 
 
@@ -338,7 +340,7 @@ class Runs(unittest.TestCase):
         self.assertRegex(text, "m/s in the last step$")
 
     def test_the_method_comes_first(self):
-        """What is modelled, and how it is solved, below the scene's name."""
+        """The model and the solver stand below the scene's name."""
         for words, said in [("sliding_block --tangents sliding --friction-model box",
                              r"friction box, tangents sliding; gauss_seidel, at most 50 sweeps"),
                             ("pile --solver colours", r"friction cone, tangents fixed; colours, at most 50 sweeps"),

@@ -5,6 +5,7 @@
 //   friction     √(μ_i μ_j): no friction if either body has none
 //   restitution  the larger
 //   k, d         the smaller k, the larger d
+//   resistance   the larger, to rolling and to torsion
 #include <cmath>
 #include <map>
 #include <optional>
@@ -22,11 +23,14 @@ struct Material {
   std::optional<double> restitution = {};  ///< e, 0 to 1
   std::optional<double> k = {};            ///< [N/m]
   std::optional<double> d = {};            ///< [steps]
+  /// The largest torque that resists rolling, and spinning about the normal, over the normal force [m]. Default: 0.
+  std::optional<double> rolling_resistance = {}, torsional_resistance = {};
 };
 
 /// The contact parameters of a pair, complete.
 struct PairMaterial {
   double friction, restitution, k, d;
+  double rolling_resistance = 0, torsional_resistance = 0;  ///< [m]
 };
 
 class Materials {
@@ -34,7 +38,7 @@ class Materials {
   explicit Materials(const PairMaterial& world) : world_(world) {}
 
   /// Sets the material of a body or of a pair. Throws std::invalid_argument, naming the number, unless μ >= 0, 0 <= e
-  /// <= 1, k > 0 and d >= 0.
+  /// <= 1, k > 0, d >= 0, and both resistances are >= 0.
   void set(int body, const Material& material);
   void set(int i, int j, const Material& material);
 
@@ -60,6 +64,9 @@ class Materials {
   /// Tells whether any material has a restitution.
   bool bounce() const { return bounce_; }
 
+  /// Tells whether any material resists rolling or torsion.
+  bool resist() const { return resist_; }
+
  private:
   void look_at(const Material& material);
   PairMaterial of_body(int body) const;
@@ -67,7 +74,7 @@ class Materials {
   PairMaterial world_;
   std::vector<Material> bodies_;
   std::map<std::pair<int, int>, Material> pairs_;
-  bool rub_ = world_.friction > 0, bounce_ = false;
+  bool rub_ = world_.friction > 0, bounce_ = false, resist_ = false;
 };
 
 }  // namespace spook

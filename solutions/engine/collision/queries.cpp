@@ -9,7 +9,7 @@ namespace spook {
 
 namespace {
 
-/// Where a line o + t u, for t from -∞ to ∞, enters the interior of a shape.
+/// Entry of a line o + t u, for t from -∞ to ∞, into the interior of a shape.
 struct Entry {
   double t;  ///< [m]
   Vec3 normal;

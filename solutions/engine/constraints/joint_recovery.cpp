@@ -71,7 +71,8 @@ class Mechanisms {
   /// Returns the number of the mechanism that a joint belongs to.
   int of(const Joint& joint) { return sets_.find(bodies_.is_fixed(joint.i) ? joint.j : joint.i); }
 
-  /// Sets the work of those to 0 that have at most a share of their kinetic energy. Tells whether any is left.
+  /// Sets the work of a mechanism to 0 if it is at most `share_of_energy` of the mechanism's kinetic energy. Returns
+  /// true if any work is left.
   template <class Velocity>
   bool leave_with_work(std::vector<double>& work, const Velocity& velocity_of) {
     std::vector<double> T(bodies_.size(), 0.0);

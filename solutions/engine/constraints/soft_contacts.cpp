@@ -44,7 +44,7 @@ static inline void push(const PointRow<Dof>& row, double delta, Twist<Dof>& Wi, 
   }
 }
 
-/// The same of two rows of one contact: one read and one write of W.
+/// Adds M⁻¹ Gᵀ Δλ of two rows of one contact to W, with one read and one write.
 template <int Dof>
 static inline void push(const PointRow<Dof>& row1, const PointRow<Dof>& row2, const Vec2& delta, Twist<Dof>& Wi,
                         Twist<Dof>& Wj) {

@@ -110,7 +110,7 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   const Bodies<Dof>& bodies = world.bodies();
   const double T = kinetic_energy(bodies);
   const bool were_moved = moved_;
-  // What a kinematic body gives by an impact is not known.
+  // The energy that a kinematic body adds in an impact is unknown.
   moved_ = moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0);
   const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
   if (!goes_on || moved_ || sizes_.empty()) {
@@ -193,10 +193,10 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
       late = &contact;
     }
     if (soft) {
-      if (lambda > 0) note_sag(pair_of(contact), -contact.gap, size, "more substeps");
+      if (lambda > 0) note_sag("the contact of " + pair_of(contact), -contact.gap, size, "more substeps");
     } else if (-contact.gap > share_of_size * size) {
       const double k = world.materials().of(contact.i, contact.j).k;
-      note_sag(pair_of(contact), std::min(lambda / (h * k), -contact.gap), size,
+      note_sag("the contact of " + pair_of(contact), std::min(lambda / (h * k), -contact.gap), size,
                "a larger k than " + text(k) + " N/m");
     }
     if (-contact.gap <= std::max(1.0, deepest) * size) continue;
@@ -265,8 +265,8 @@ template <int Dof>
 void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, const std::string& remedy) {
   if (!verdict_.note.empty() || !sag_.empty() || !(sag > share_of_size * size)) return;
   sagged_ = sag / size;
-  sag_ = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
-         " m: " + remedy + " would hold them";
+  sag_ = what + " gives by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
+         " m: " + remedy + " would hold it";
 }
 
 template <int Dof>
@@ -291,17 +291,15 @@ static double energy_unseen(const Bodies<Dof>& bodies, double size, double h) {
 template <int Dof>
 void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
   const Bodies<Dof>& bodies = world.bodies();
-  // Velocities are half a step behind, so that from one to the next a body moves by half of two ways.
-  const bool lags = world.velocity_lag(h) > 0 && world.parts() == 1;
+  // Velocities are older than positions by the lag, so that the work between two of them is along x - lag v.
+  const double lag = world.velocity_lag(h), lag_before = first_ ? lag : lag_;
+  lag_ = lag;
   double lift = 0;
-  ways_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Vec3 way = bodies.x[i] - x_before_[i];
-    const Vec3 last_way = first_ ? Vec3(h * before_[i].template head<3>()) : ways_[i];
-    ways_[i] = way;
     if (bodies.is_fixed(i)) continue;
+    const Vec3 v_before = before_[i].template head<3>(), v = bodies.motion.W[i].template head<3>();
     const Vec3& force = world.forces()[i];
-    given_ += force.dot(lags ? (way + last_way) / 2 : way);
+    given_ += force.dot(bodies.x[i] - x_before_[i] - lag * v + lag_before * v_before);
     if constexpr (Dof == 6)
       if (!world.torques().empty())
         given_ += h / 2 * world.torques()[i].dot((before_[i] + bodies.motion.W[i]).template tail<3>());

@@ -76,7 +76,7 @@ class RunCheck {
     s(verdict_.state, verdict_.step, verdict_.time, verdict_.reason, verdict_.unsolved, verdict_.note);
     s(last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_, sagging_steps_,
       sag_, sagged_);
-    s(started_, given_, springs_, most_, before_, x_before_, ways_);
+    s(started_, given_, springs_, most_, before_, x_before_, lag_);
   }
 
  private:
@@ -106,9 +106,9 @@ class RunCheck {
   double given_ = 0;                // work of forces since the start [J]
   double springs_ = 0;              // energy of springs at the start [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
+  double lag_ = 0;                  // from velocities to positions in the last step [s]
   std::vector<Twist<Dof>> before_;  // velocities at the last check
   std::vector<Vec3> x_before_;      // positions at the last check
-  std::vector<Vec3> ways_;          // displacements in the last step
   std::vector<Shape> shapes_;       // of bodies
   std::vector<double> sizes_;       // of bodies [m]
 };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <queue>
 #include <utility>
 
+#include "engine/impacts/impact_joints.hpp"
 #include "engine/impacts/simultaneous_impacts.hpp"
 
 namespace spook {
@@ -73,11 +75,18 @@ double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>&
   return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, 2 * h);
 }
 
+/// Displacements of bodies since their contacts were found.
+struct Displacements {
+  std::vector<Vec3> by, turned;  ///< of the centre [m]; about it [rad]
+
+  Vec3 at(int body, const Vec3& r) const { return by[body] + turned[body].cross(r); }
+};
+
 /// Updates a contact after its bodies have moved: its two lever arms meet in one point again, and that of a sphere
 /// stays.
-Contact moved_on(Contact contact, const std::vector<Vec3>& by, const std::vector<double>& radii) {
-  const Vec3 apart = by[contact.j] - by[contact.i];
-  contact.gap += contact.n.dot(apart);
+Contact moved_on(Contact contact, const Displacements& moved, const std::vector<double>& radii) {
+  contact.gap += contact.n.dot(moved.at(contact.j, contact.r_j) - moved.at(contact.i, contact.r_i));
+  const Vec3 apart = moved.by[contact.j] - moved.by[contact.i];
   if (radii[contact.j] > 0)
     contact.r_i += apart;
   else
@@ -101,15 +110,17 @@ template <int Dof>
 class ImpactQueue {
  public:
   ImpactQueue(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
-              Bodies<Dof>& bodies)
-      : contacts_(contacts), law_(law), h_(h), bodies_(bodies) {
+              const std::vector<Joint>& joints, const MoveFreely& move_freely, Bodies<Dof>& bodies)
+      : contacts_(contacts), law_(law), move_freely_(move_freely), h_(h), bodies_(bodies) {
     // A contact that touches up to round-off takes part in simultaneous impacts.
     touching_gap_ = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
     for (std::size_t c = 0; c < contacts.size(); ++c)
       if (const auto late = lateness_of(contacts[c], law)) queue_.push({*late, c, 0});
     if (queue_.empty()) return;
+    joints_.emplace(joints, bodies);
     radii_ = radii_of(shapes, bodies.size());
-    moved_.assign(bodies.size(), Vec3::Zero());
+    moved_.by.assign(bodies.size(), Vec3::Zero());
+    moved_.turned = moved_.by;
     version_.assign(contacts.size(), 0);
     impacts_of_.assign(contacts.size(), 0);
     waiting_.assign(contacts.size(), false);
@@ -158,11 +169,10 @@ class ImpactQueue {
     for_each([&](std::size_t body, std::size_t c) { contacts_of_[next[body]++] = c; });
   }
 
-  /// Calls `visit` with each contact of the dynamic bodies of contact c.
+  /// Calls `visit` with each contact of a dynamic body.
   template <class Visit>
-  void around(std::size_t c, const Visit& visit) const {
-    for (const int body : {contacts_[c].i, contacts_[c].j})
-      for (std::size_t k = first_of_[body]; k < first_of_[body + 1]; ++k) visit(contacts_of_[k]);
+  void around(std::size_t body, const Visit& visit) const {
+    for (std::size_t k = first_of_[body]; k < first_of_[body + 1]; ++k) visit(contacts_of_[k]);
   }
 
   /// Takes the first impact from the queue, and all at the same time.
@@ -184,11 +194,12 @@ class ImpactQueue {
     std::vector<std::size_t> together{c};
     waiting_[c] = false;
     for (std::size_t n = 0; n < together.size(); ++n)
-      around(together[n], [&](std::size_t other) {
-        if (!waiting_[other]) return;
-        waiting_[other] = false;
-        together.push_back(other);
-      });
+      for (const int body : {contacts_[together[n]].i, contacts_[together[n]].j})
+        around(static_cast<std::size_t>(body), [&](std::size_t other) {
+          if (!waiting_[other]) return;
+          waiting_[other] = false;
+          together.push_back(other);
+        });
     return together;
   }
 
@@ -203,32 +214,71 @@ class ImpactQueue {
       contacts.push_back(before(contact, late, radii_, bodies_));
       laws.push_back(law_(contact));
       laws.back().max_passes = 1;
-      for (const int body : {contact.i, contact.j})
-        if (!bodies_.is_fixed(static_cast<std::size_t>(body))) moving.push_back(static_cast<std::size_t>(body));
+      add_dynamic({contact.i, contact.j}, moving);
     }
+    const std::vector<Joint> joints = joints_->of(moving);
+    for (const Joint& joint : joints) add_dynamic({joint.i, joint.j}, moving);
     std::sort(moving.begin(), moving.end());
     moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
 
+    std::vector<Pose> poses;
+    if (!joints.empty())
+      for (const std::size_t body : moving) poses.push_back(carry(body, -late));
+    const std::vector<Row<Dof>> joint_rows = impact_rows(joints, h_, bodies_);
     std::vector<Twist<Dof>> W;
     for (const std::size_t body : moving) W.push_back(motion.W[body] -= late / h_ * motion.Wf[body]);
     std::vector<Impact> impacts;
     for (const Contact& contact : contacts)
       impacts.push_back({contact.i, contact.j, -separation_speed(contact, motion)});
-    if (together.size() > 1)
-      resolve_together(contacts, laws, motion);
+    if (together.size() > 1 || !joints.empty())
+      resolve_together(contacts, laws, joint_rows, motion);
     else if (spook::resolve_impacts(contacts, laws.front(), motion).impacts == 0)
       impacts.clear();
     for (std::size_t n = 0; n < moving.size(); ++n) {
       const std::size_t body = moving[n];
       const Vec3 by = late * (motion.W[body] - W[n]).template head<3>();  // Eq. (7.16)
       motion.W[body] += late / h_ * motion.Wf[body];
-      bodies_.x[body] += by;
-      moved_[body] += by;
+      if (joints.empty()) {
+        bodies_.x[body] += by;
+        moved_.by[body] += by;
+      } else {
+        carry(body, late);
+        note_moved(body, poses[n]);
+      }
     }
     if (impacts.empty()) return;
     impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
     for (const std::size_t c : together) ++impacts_of_[c];
-    for (const std::size_t c : together) around(c, [&](std::size_t other) { look_again(other); });
+    for (const std::size_t body : moving) around(body, [&](std::size_t other) { look_again(other); });
+  }
+
+  struct Pose {
+    Vec3 x;
+    Quat q = Quat::Identity();
+  };
+
+  /// Moves a body of a mechanism freely for a time [s], which may be negative. Returns its pose before.
+  Pose carry(std::size_t body, double time) {
+    Pose pose{.x = bodies_.x[body]};
+    if constexpr (Dof == 6) pose.q = bodies_.orientations.q[body];
+    move_freely_(body, time);
+    if constexpr (Dof == 6)
+      bodies_.motion.inverse_mass[body].angular = bodies_.orientations.inverse_inertia(body);
+    return pose;
+  }
+
+  /// Adds the way since a pose to the displacements.
+  void note_moved(std::size_t body, const Pose& since) {
+    moved_.by[body] += bodies_.x[body] - since.x;
+    if constexpr (Dof == 6) {
+      const Eigen::AngleAxisd turned(bodies_.orientations.q[body] * since.q.conjugate());
+      moved_.turned[body] += turned.angle() * turned.axis();
+    }
+  }
+
+  void add_dynamic(std::initializer_list<int> bodies, std::vector<std::size_t>& moving) const {
+    for (const int body : bodies)
+      if (!bodies_.is_fixed(static_cast<std::size_t>(body))) moving.push_back(static_cast<std::size_t>(body));
   }
 
   void look_again(std::size_t c) {
@@ -240,12 +290,14 @@ class ImpactQueue {
 
   std::vector<Contact>& contacts_;
   const LawOf& law_;
+  const MoveFreely& move_freely_;
   double h_, touching_gap_;
   Bodies<Dof>& bodies_;
   std::priority_queue<Approach> queue_;
   std::vector<double> radii_;
   std::vector<Impact> impacts_;
-  std::vector<Vec3> moved_;                          // displacement since the contacts were found
+  std::optional<ImpactJoints<Dof>> joints_;
+  Displacements moved_;
   std::vector<int> version_, impacts_of_;            // of each contact
   std::vector<bool> waiting_;                        // contacts of the current time
   std::vector<std::size_t> first_of_, contacts_of_;  // the contacts of each dynamic body
@@ -255,15 +307,16 @@ class ImpactQueue {
 
 template <int Dof>
 std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
-                                         const Shapes& shapes, Bodies<Dof>& bodies) {
-  return ImpactQueue<Dof>(contacts, law, h, shapes, bodies).resolve();
+                                         const Shapes& shapes, const std::vector<Joint>& joints,
+                                         const MoveFreely& move_freely, Bodies<Dof>& bodies) {
+  return ImpactQueue<Dof>(contacts, law, h, shapes, joints, move_freely, bodies).resolve();
 }
 
 template double separation_speed<3>(const Contact&, const Motion<3>&);
 template double separation_speed<6>(const Contact&, const Motion<6>&);
 template std::vector<Impact> resolve_late_impacts<3>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
-                                                     Bodies<3>&);
+                                                     const std::vector<Joint>&, const MoveFreely&, Bodies<3>&);
 template std::vector<Impact> resolve_late_impacts<6>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
-                                                     Bodies<6>&);
+                                                     const std::vector<Joint>&, const MoveFreely&, Bodies<6>&);
 
 }  // namespace spook

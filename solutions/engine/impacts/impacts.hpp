@@ -9,12 +9,14 @@
 // After the correction the gap is open, e times the overlap. So the rows need not push the bodies apart, which would
 // add energy. In a chain of balls each impact passes the delay on. Impacts are resolved in the order of their times,
 // and those at one time together: engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres,
-// are those of the time of impact, so angular momentum is kept up to round-off. Orientations are not corrected.
+// are those of the time of impact, so angular momentum is kept up to round-off. Free bodies keep their orientations. The
+// bodies of a mechanism also turn back and forward, so that their joints stay closed.
 #include <functional>
 #include <vector>
 
 #include "07_impacts/impacts.hpp"
 #include "engine/collision/contacts.hpp"
+#include "engine/constraints/joints.hpp"
 
 namespace spook {
 
@@ -27,15 +29,20 @@ struct Impact {
 /// Returns the impact law of a contact.
 using LawOf = std::function<ImpactLaw(const Contact& contact)>;
 
+/// Moves a body with its present velocity for a time [s], which may be negative.
+using MoveFreely = std::function<void(std::size_t body, double time)>;
+
 /// The normal velocity u_n of Eq. (7.1) at x_n [m/s]; negative if the bodies approach.
 template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
 /// Resolves the impacts of all closed contacts, the longest delay first: Eq. (7.1)-(7.16). Contacts whose delays differ
-/// by at most a millionth of a step, and that share a dynamic body, are resolved together: Eq. (7.18). A contact has at
-/// most `max_passes` impacts. Updates velocities, positions and gaps. Returns the impacts.
+/// by at most a millionth of a step, and that share a dynamic body, are resolved together: Eq. (7.18). Joints of these
+/// bodies take their impulses, Eq. (7.19); their defaults must be filled in. `move_freely` moves their bodies. A contact
+/// has at most `max_passes` impacts. Updates velocities, positions and gaps. Returns the impacts.
 template <int Dof>
 std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
-                                         const Shapes& shapes, Bodies<Dof>& bodies);
+                                         const Shapes& shapes, const std::vector<Joint>& joints,
+                                         const MoveFreely& move_freely, Bodies<Dof>& bodies);
 
 }  // namespace spook

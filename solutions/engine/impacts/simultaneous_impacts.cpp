@@ -13,7 +13,7 @@ static constexpr StopRule of_factors{.max_sweeps = 100}, of_cones{.max_sweeps = 
 
 namespace {
 
-/// The rows of the contacts, as if no other body existed.
+/// The rows of the joints, then those of the contacts, as if no other body existed.
 template <int Dof>
 struct ImpactProblem {
   std::vector<int> bodies;  ///< their indices in the world
@@ -23,8 +23,9 @@ struct ImpactProblem {
   std::vector<Twist<Dof>> V;
 
   ImpactProblem(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
-                const Motion<Dof>& world) {
+                const std::vector<Row<Dof>>& joints, const Motion<Dof>& world) {
     for (const Contact& contact : contacts) bodies.insert(bodies.end(), {contact.i, contact.j});
+    for (const Row<Dof>& row : joints) bodies.insert(bodies.end(), {row.i, row.j});
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     for (const int body : bodies) {
@@ -34,6 +35,12 @@ struct ImpactProblem {
     motion.Wf.assign(bodies.size(), Twist<Dof>::Zero());
     V = motion.Wf;
 
+    for (Row<Dof> row : joints) {
+      row.i = number(row.i);
+      row.j = number(row.j);
+      rows.push_back(row);
+      soften(rows.back());
+    }
     const bool has_friction =
         std::any_of(laws.begin(), laws.end(), [](const ImpactLaw& law) { return law.friction > 0; });
     for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -62,8 +69,13 @@ struct ImpactProblem {
 
   void add(const Constraint<Dof>& constraint) {
     rows.push_back(make_row(constraint, motion));
-    rows.back().Sigma = impact_softness * rows.back().diagonal;
-    rows.back().diagonal += rows.back().Sigma;
+    soften(rows.back());
+  }
+
+  static void soften(Row<Dof>& row) {
+    const double more = std::max(0.0, impact_softness * row.diagonal - row.Sigma);
+    row.Sigma += more;
+    row.diagonal += more;
   }
 };
 
@@ -114,15 +126,17 @@ void add_friction(ImpactProblem<Dof>& problem) {
 
 template <int Dof>
 void resolve_together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
-                      Motion<Dof>& motion) {
-  ImpactProblem<Dof> problem(contacts, laws, motion);
+                      const std::vector<Row<Dof>>& joints, Motion<Dof>& motion) {
+  ImpactProblem<Dof> problem(contacts, laws, joints, motion);
   Factors factors;
   direct_solve(problem.rows, problem.V, of_factors, factors);  // friction rows have bounds of 0
   if (!problem.friction.empty()) add_friction(problem);
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) motion.W[problem.bodies[b]] += problem.V[b];
 }
 
-template void resolve_together<3>(const std::vector<Contact>&, const std::vector<ImpactLaw>&, Motion<3>&);
-template void resolve_together<6>(const std::vector<Contact>&, const std::vector<ImpactLaw>&, Motion<6>&);
+template void resolve_together<3>(const std::vector<Contact>&, const std::vector<ImpactLaw>&,
+                                  const std::vector<Row<3>>&, Motion<3>&);
+template void resolve_together<6>(const std::vector<Contact>&, const std::vector<ImpactLaw>&,
+                                  const std::vector<Row<6>>&, Motion<6>&);
 
 }  // namespace spook

@@ -6,6 +6,7 @@
 //   |λ_t| <= μ λ_n, against the slip u'_t            friction on cones, Eq. (9.3)
 //   λ = λ⁰ + κ (λ¹ - λ⁰)                             λ⁰ without friction, which adds no energy if e <= 1; λ¹ with it;
 //                                                    κ the largest in [0, 1] that adds no energy
+//   u'_k + Σ_k λ_k = u_k                             a joint of these bodies, Eq. (7.19)
 //
 // Without friction this is Moreau's impact. With e = 1 the closed contacts reflect, and the energy is kept.
 #include <vector>
@@ -15,10 +16,11 @@
 namespace spook {
 
 /// Resolves the impacts of several contacts at one time, each with its own restitution and friction: Eq. (7.18), with u
-/// of Eq. (7.1). Changes W of the contacts' bodies. The contacts approach. Each row has 1e-12 of S_kk as its Σ, since
-/// the corners of a box are redundant: velocities are right to about 1e-12 of u.
+/// of Eq. (7.1). `joints` are the rows of the joints that take impulses, with B = 0. Changes W of the bodies of contacts
+/// and joints. The contacts approach. Each row has at least 1e-12 of S_kk as its Σ, since the corners of a box are
+/// redundant: velocities are right to about 1e-12 of u.
 template <int Dof>
 void resolve_together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
-                      Motion<Dof>& motion);
+                      const std::vector<Row<Dof>>& joints, Motion<Dof>& motion);
 
 }  // namespace spook

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/support/require_index.hpp"
 #include "engine/world/world.hpp"
 
 namespace spook {
@@ -65,9 +66,7 @@ class Handles {
   }
   int of_joint(int index) {
     const std::size_t count = world_.joints().size();
-    if (index < 0 || static_cast<std::size_t>(index) >= count)
-      throw std::invalid_argument("joint must be an index below " + std::to_string(count) + ", but is " +
-                                  std::to_string(index));
+    require_index("joint", index, count);
     return joints_.handle(index, count);
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/require.hpp"
+#include "engine/constraints/contact_resistance.hpp"
 #include "engine/impacts/impacts.hpp"
 
 namespace spook {
@@ -27,7 +28,7 @@ void World<Dof>::step(double h) {
   } catch (const SimulationDiverged&) {
     throw;
   } catch (...) {
-    // What a check says of bodies that are not finite is no fault of its caller.
+    // Bodies that are not finite are no error of the caller.
     if (!are_dynamic_finite(bodies_)) require_finite_bodies();
     --steps_;  // a step that a velocity function or a check ends does not count
     throw;
@@ -201,23 +202,53 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   return law;
 }
 
+/// Adds the impulses of joints in the last step to W_f of bodies that they carried. A plate on a weld has the W_f of a
+/// fall, and does not fall. Larger impulses, as after an impact, are not those of the next step.
+template <int Dof>
+void World<Dof>::add_last_impulses_of_joints(double h) {
+  if (joints_.empty() || h_ <= 0 || V_.size() != bodies_.size()) return;
+  std::vector<Vec3> carried(bodies_.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < std::min(constraints_.first_contact_row, rows().size()); ++k) {
+    const Row<Dof>& row = rows()[k];
+    carried[row.i] += h / h_ * row.lambda * row.MinvGi.template head<3>();
+    carried[row.j] += h / h_ * row.lambda * row.MinvGj.template head<3>();
+  }
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    auto Wf = bodies_.motion.Wf[i].template head<3>();
+    if (carried[i].norm() <= 1.5 * Wf.norm()) Wf += carried[i];
+  }
+}
+
 template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
+  add_last_impulses_of_joints(h);
   const auto law_of = [&](const Contact& contact) { return impact_law(contact, h); };
-  const std::vector<Vec3> before = bodies_.x;
-  const std::vector<Impact> hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  const std::vector<Twist<Dof>> before = bodies_.motion.W;
+  const auto move_freely = [&](std::size_t i, double time) {
+    Twist<Dof>& W = bodies_.motion.W[i];
+    bodies_.x[i] += time * W.template head<3>();
+    if constexpr (Dof == 6) {
+      Vec3 omega = W.template tail<3>();
+      rotate(settings_.rotation, bodies_.orientations, i, omega, time);
+      W.template tail<3>() = omega;
+    }
+  };
+  const std::vector<Impact> hits =
+      resolve_late_impacts<Dof>(contacts_, law_of, h, shapes_, joints_, move_freely, bodies_);
   impacts_.insert(impacts_.end(), hits.begin(), hits.end());
   if (!hits.empty()) {
     std::vector<bool> moved(before.size());
-    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.motion.W[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
     prepare_motion(h);  // the gyroscopic torque depends on ω
+    add_last_impulses_of_joints(h);
   }
   // An open contact that approaches fast enough for an impact gets no row, so that the impact can occur.
   const auto will_hit = [&](const Contact& contact) {
     return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -impact_law(contact, h).threshold;
   };
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
+  if (!joints_.empty()) prepare_motion(h);
 }
 
 /// Sets the default k. Bodies and forces may change in each step; the k of contacts never decreases.
@@ -262,9 +293,12 @@ void World<Dof>::set_default_stiffness(double h) {
 template <int Dof>
 void World<Dof>::build_rows(double h) {
   constraints_.first_contact_row = 0;
-  if (!joints_.empty()) {
+  if (!joints_.empty() || materials_.resist()) {
     constraints_.rows.clear();
     add_joint_rows(joints_, h, bodies_, constraints_.rows, least_relaxation(h));
+    if constexpr (Dof == 6)
+      if (materials_.resist())
+        add_resistance_rows(contacts_, h, materials_, start_, bodies_.motion, constraints_.rows);
     constraints_.first_contact_row = rows().size();
   }
   const Friction friction{.c = settings_.viscosity,
@@ -281,8 +315,9 @@ void World<Dof>::solve_rows(double h) {
   SolverResult outcome = settings_.solver.solve(solver_input(V_, h, stop_rule(h)));
   row_updates_ += outcome.updates(rows().size());
   solved_ = std::move(outcome.report);
-  const bool may_bounce = settings_.impacts || materials_.bounce();  // impact_law needs the forces
-  if (settings_.warm_start || settings_.solver.wants_last || may_bounce)
+  // The law of impacts and resistance to rolling need the forces of contacts.
+  const bool needs_forces = settings_.impacts || materials_.bounce() || materials_.resist();
+  if (settings_.warm_start || settings_.solver.wants_last || needs_forces)
     start_.remember(constraints_, contacts_, h, settings_.threads);
 }
 

@@ -181,7 +181,8 @@ class World {
 
   /// Sets the material of a body, or of the contact of two bodies. engine/bodies/materials.hpp combines the materials
   /// of two bodies. All other pairs have the restitution of the impact law. Once any material is set, impacts have
-  /// `Settings::friction`, and not the friction of the impact law.
+  /// `Settings::friction`, and not the friction of the impact law. Throws std::invalid_argument for numbers out of range,
+  /// and for resistance to rolling or torsion of point masses, in soft steps, and with integrator_order 4.
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
 
@@ -407,6 +408,7 @@ class World {
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
   std::optional<Twist<Dof>> half_change_by_joints(std::size_t i) const;
   ImpactLaw impact_law(const Contact& contact, double h) const;
+  void add_last_impulses_of_joints(double h);
   void resolve_impacts(double h);
   void set_default_stiffness(double h);
   void build_rows(double h);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/require.hpp"
+#include "engine/support/require_index.hpp"
 
 namespace spook {
 
@@ -155,9 +156,7 @@ void World<Dof>::forget_the_last_step() {
 
 template <int Dof>
 std::size_t World<Dof>::joint_index(int joint) const {
-  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
-    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
-  return static_cast<std::size_t>(joint);
+  return require_index("joint", joint, joints_.size());
 }
 
 template <int Dof>

@@ -1,4 +1,4 @@
-// How a step is divided: engine/constraints/step_parts.hpp.
+// Division of a step: engine/constraints/step_parts.hpp.
 #include <algorithm>
 
 namespace spook {

@@ -3,6 +3,7 @@
 
 #include "common/require.hpp"
 #include "engine/support/parallel_for.hpp"
+#include "engine/support/require_index.hpp"
 
 namespace spook {
 
@@ -128,9 +129,22 @@ static void require_no_spring(const Material& material) {
   if (material.d) reject("d", *material.d, "left out with soft_steps");
 }
 
+/// Throws for resistance to rolling or torsion in steps that have no rows of it.
+template <int Dof>
+static void require_no_resistance(const Settings<Dof>& settings, const Material& material) {
+  if (Dof == 6 && !settings.soft_steps && settings.integrator_order == 2) return;
+  const std::string why = Dof == 3              ? "a point mass does not turn"
+                          : settings.soft_steps ? "soft steps have none"
+                                                : "steps of order four have none";
+  for (const auto& [name, length] : {std::pair("rolling_resistance", material.rolling_resistance),
+                                     std::pair("torsional_resistance", material.torsional_resistance)})
+    if (length.value_or(0) > 0) throw std::invalid_argument(std::string(name) + " must be 0: " + why);
+}
+
 template <int Dof>
 void World<Dof>::set_material(int body, const Material& material) {
   if (settings_.soft_steps) require_no_spring(material);
+  require_no_resistance(settings_, material);
   materials_.set(static_cast<int>(index(body)), material);
 }
 
@@ -138,6 +152,7 @@ template <int Dof>
 void World<Dof>::set_material(int i, int j, const Material& material) {
   if (index(i) == index(j)) reject("j", j, "another body than i");
   if (settings_.soft_steps) require_no_spring(material);
+  require_no_resistance(settings_, material);
   materials_.set(i, j, material);
 }
 
@@ -156,7 +171,8 @@ void World<Dof>::exclude_contacts(const std::vector<int>& bodies) {
 template <int Dof>
 void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
   const std::size_t i = index(body);
-  if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body; use move_fixed for static bodies");
+  if (bodies_.is_fixed(i))
+    throw std::invalid_argument("body " + std::to_string(body) + " is static: use move_fixed to move it");
   require_all_finite("x", x);
   require_all_finite("v", v);
   bodies_.x[i] = x;
@@ -166,7 +182,8 @@ void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
 template <int Dof>
 void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
   const std::size_t i = index(body);
-  if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body");
+  if (bodies_.is_fixed(i))
+    throw std::invalid_argument("body " + std::to_string(body) + " is static: it keeps its orientation");
   require_unit_length("q", q.norm());
   require_all_finite("omega", omega);
   if constexpr (Dof == 6) bodies_.orientations.q[i] = q.normalized();
@@ -228,16 +245,12 @@ Vec3 World<Dof>::force(std::size_t i) const {
 
 template <int Dof>
 std::size_t World<Dof>::index(int body) const {
-  if (body < 0 || body >= static_cast<int>(bodies_.size()))
-    reject("body", body, "an index below " + std::to_string(bodies_.size()));
-  return static_cast<std::size_t>(body);
+  return require_index("body", body, bodies_.size());
 }
 
 template <int Dof>
 std::size_t World<Dof>::first_row(int contact) const {
-  if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
-    reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
-  return constraints_.normal_row(static_cast<std::size_t>(contact));
+  return constraints_.normal_row(require_index("contact", contact, contacts_.size()));
 }
 
 template <int Dof>

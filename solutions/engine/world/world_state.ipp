@@ -1,4 +1,4 @@
-// What steps change in a world, for engine/support/state_stream.hpp.
+// The part of a world that steps change, for engine/support/state_stream.hpp.
 
 namespace spook {
 

@@ -1,0 +1,65 @@
+#include "engine/impacts/impact_joints.hpp"
+
+#include <algorithm>
+
+#include "engine/constraints/joint_rows.hpp"
+#include "engine/support/disjoint_sets.hpp"
+
+namespace spook {
+
+template <int Dof>
+ImpactJoints<Dof>::ImpactJoints(const std::vector<Joint>& joints, const Bodies<Dof>& bodies) {
+  if (joints.empty()) return;
+  const auto is_dynamic = [&](int body) { return !bodies.is_fixed(static_cast<std::size_t>(body)); };
+  DisjointSets sets(bodies.size());
+  for (const Joint& joint : joints)
+    if (is_dynamic(joint.i) && is_dynamic(joint.j)) sets.join(joint.i, joint.j);
+
+  mechanism_of_.assign(bodies.size(), -1);
+  std::vector<int> number_of(bodies.size(), -1);
+  for (const Joint& joint : joints) {
+    const int body = is_dynamic(joint.j) ? joint.j : joint.i;
+    if (!is_dynamic(body)) continue;
+    int& number = number_of[sets.find(body)];
+    if (number < 0) {
+      number = static_cast<int>(joints_.size());
+      joints_.emplace_back();
+    }
+    for (const int end : {joint.i, joint.j})
+      if (is_dynamic(end)) mechanism_of_[end] = number;
+    joints_[number].push_back(joint);
+  }
+}
+
+template <int Dof>
+std::vector<Joint> ImpactJoints<Dof>::of(const std::vector<std::size_t>& bodies) const {
+  if (joints_.empty()) return {};
+  std::vector<int> numbers;
+  for (const std::size_t body : bodies)
+    if (mechanism_of_[body] >= 0) numbers.push_back(mechanism_of_[body]);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<Joint> all;
+  for (const int number : numbers) all.insert(all.end(), joints_[number].begin(), joints_[number].end());
+  return all;
+}
+
+template <int Dof>
+std::vector<Row<Dof>> impact_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies) {
+  std::vector<Row<Dof>> rows, taking;
+  add_joint_rows(joints, h, bodies, rows);
+  auto first = rows.begin();
+  for (const Joint& joint : joints) {
+    taking.insert(taking.end(), first, first + joint.spring_row());
+    first += joint.rows();
+  }
+  for (Row<Dof>& row : taking) row.B = 0;
+  return taking;
+}
+
+template class ImpactJoints<3>;
+template class ImpactJoints<6>;
+template std::vector<Row<3>> impact_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&);
+template std::vector<Row<6>> impact_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&);
+
+}  // namespace spook
