@@ -4,10 +4,12 @@
 //   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
 // The options of ./course run for the scene and the solver, and all parameters of the scene, are available, each with
-// one or more values: one point for each combination, as in ./course run --sweep. Refused combinations are skipped and
-// counted. The error is the scene's own, so a file must have an answer, its "expected". The cost is the median of the
-// microseconds per step with its quartiles, and the row updates per second, which are the same on every machine.
+// one or more values: one point for each combination, as in ./course run --sweep. ./course plot also accepts the same
+// --sweep NAME=A,B. Refused combinations are skipped and counted. The error is the scene's own, so a file must have an
+// answer, its "expected". The cost is the median of the microseconds per step with its quartiles, and the row updates
+// per second, which are the same on every machine.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -27,7 +29,8 @@ namespace {
 struct Option {
   std::string name, values, meaning;
   std::optional<std::string> TypedRun::*typed;
-  bool tells = true;  ///< its value is part of the line's name
+  bool tells = true;       ///< its value is part of the line's name
+  std::string usual = "";  ///< its values, unless given
 };
 
 struct Chosen {
@@ -35,8 +38,8 @@ struct Chosen {
   std::vector<std::string> set;
   std::string time, warm_start = "off";
   std::vector<Option> options = {
-      {"solver", "gauss_seidel", "solvers", &TypedRun::solver},
-      {"h", "1/60,1/120,1/240", "steps [s]", &TypedRun::h, false},
+      {"solver", "", "solvers", &TypedRun::solver, true, "gauss_seidel"},
+      {"h", "", "steps [s]", &TypedRun::h, false, "1/60,1/120,1/240"},
       {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
       {"integrator-order", "", "order of a step: 2, or 4, composed of five leapfrogs",
        &TypedRun::integrator_order},
@@ -48,7 +51,22 @@ struct Chosen {
       {"threads", "", "worker threads", &TypedRun::threads},
       {"engine", "", "fast, plain", &TypedRun::engine},
       {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
-      {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
+      {"max-parts", "", "largest number of parts of a step", &TypedRun::max_parts},
+      {"accuracy", "", "share of the right-hand side that auto may leave", &TypedRun::accuracy},
+      {"soft-steps", "", "substeps of soft steps", &TypedRun::soft_steps},
+      {"iterations", "", "most sweeps in a step", &TypedRun::iterations, false, "10,30,100,300,1000"}};
+
+  /// Returns the values of an option: the given ones, or the usual ones. Accuracy and soft steps have no sweeps of a
+  /// solver.
+  std::string values_of(const Option& option) const {
+    const auto is_given = [this](const std::string& name) {
+      return std::any_of(options.begin(), options.end(),
+                         [&](const Option& one) { return one.name == name && !one.values.empty(); });
+    };
+    if (!option.values.empty()) return option.values;
+    const bool of_sweeps = option.name == "solver" || option.name == "iterations";
+    return of_sweeps && (is_given("accuracy") || is_given("soft-steps")) ? "" : option.usual;
+  }
 };
 
 /// A run, and the values that distinguish its line from others.
@@ -67,8 +85,9 @@ std::vector<std::string> parts(const std::string& list) {
 }
 
 /// Combines each of these runs with each value of the option.
-std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, std::size_t most) {
-  std::vector<std::string> values = parts(option.values);
+std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, const std::string& list,
+                         std::size_t most) {
+  std::vector<std::string> values = parts(list);
   if (values.empty()) return some;
   values.resize(std::min(values.size(), most));
   std::vector<Asked> all;
@@ -109,8 +128,8 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
   for (const std::string& parameter : chosen.set) all = times(all, parameter);
   for (const Option& option : chosen.options) {
     if (!solves && option.name == "iterations") continue;
-    all =
-        times(all, option, quick && option.name == "iterations" ? 3 : std::numeric_limits<std::size_t>::max());
+    all = times(all, option, chosen.values_of(option),
+                quick && option.name == "iterations" ? 3 : std::numeric_limits<std::size_t>::max());
   }
   for (Asked& asked : all)
     // Without another solver the plain engine runs the first step that has all features of the scene, which sweeps.
@@ -129,9 +148,11 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
 std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, const Parameters& set,
                           const RunSettings& settings) {
   const RunResult result = run(scene, set, settings);
-  return {{scene.name, asked.line, asked.all_have, double(settings.method.solver_limits.max_sweeps),
-           settings.method.h, result.error, name_of(result.verdict.state), result.us_per_step.value_or(0),
-           result.us_low, result.us_high, double(result.row_updates) / settings.time}};
+  const std::string method = settings.method.soft_steps ? "soft steps" : settings.method.solver;
+  return {{scene.name, asked.line.empty() ? method : asked.line, asked.all_have,
+           double(settings.method.solver_limits.max_sweeps), settings.method.h, result.error,
+           name_of(result.verdict.state), result.us_per_step.value_or(0), result.us_low, result.us_high,
+           double(result.row_updates) / settings.time}};
 }
 
 /// Why `run` is refused; empty if it is not.
@@ -220,6 +241,8 @@ int main(int argc, char** argv) {
     app.add_option("--time", chosen.time, "how long [s]");
     app.add_flag("--warm-start{on}", chosen.warm_start, "begin with the last impulses; =off,on for both");
     for (spook::plots::Option& option : chosen.options)
-      app.add_option("--" + option.name, option.values, option.meaning + "; several with commas");
+      app.add_option("--" + option.name, option.values,
+                     option.meaning + "; several with commas" +
+                         (option.usual.empty() ? "" : "; default: " + option.usual));
   });
 }

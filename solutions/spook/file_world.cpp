@@ -26,10 +26,13 @@ void at(const Place& place, const Action& action) {
   try {
     action();
   } catch (const std::invalid_argument& error) {
-    const std::string what = error.what();
+    const std::string what = error.what(), key = what.substr(0, what.find(' '));
     if (what.rfind(place.path(), 0) == 0) throw;
-    const bool names_key = place.has(what.substr(0, what.find(' ')));
-    throw std::invalid_argument(place.path() + (names_key ? "." : ": ") + what);
+    if (place.has(key)) throw std::invalid_argument(place.path() + "." + what);
+    for (const char* part : {"limits", "motor", "spring"})
+      if (place.has(part) && place[part].has(key))
+        throw std::invalid_argument(place.path() + "." + part + "." + what);
+    throw std::invalid_argument(place.path() + ": " + what);
   }
 }
 
@@ -140,6 +143,9 @@ void add_static(const Place& place, World<Dof>& world) {
   add_velocity(place, world);
 }
 
+const std::vector<std::string> material_keys = {"friction", "restitution",        "k",
+                                                "d",        "rolling_resistance", "torsional_resistance"};
+
 /// Reads the numbers of a material.
 Material material_in(const Place& place) {
   Material material;
@@ -147,7 +153,9 @@ Material material_in(const Place& place) {
   read(place.find("restitution"), material.restitution);
   read(place.find("k"), material.k);
   read(place.find("d"), material.d);
-  if (material == Material{}) place.reject("a friction, restitution, k or d");
+  read(place.find("rolling_resistance"), material.rolling_resistance);
+  read(place.find("torsional_resistance"), material.torsional_resistance);
+  if (material == Material{}) place.reject("a friction, restitution, k, d or resistance");
   return material;
 }
 
@@ -171,7 +179,7 @@ void add_body(const Place& place, World<Dof>& world) {
   add_kind_of_body(place, world);
   const auto material = place.find("material");
   if (!material) return;
-  material->require_keys({"friction", "restitution", "k", "d"});
+  material->require_keys(material_keys);
   const int body = static_cast<int>(world.bodies().size()) - 1;
   at(*material, [&] { world.set_material(body, material_in(*material)); });
 }
@@ -179,8 +187,10 @@ void add_body(const Place& place, World<Dof>& world) {
 /// Sets the material of a pair.
 template <int Dof>
 void add_material(const Place& place, const BodyNames& names, World<Dof>& world) {
-  place.require_keys({"i", "j", "friction", "restitution", "k", "d"});
-  world.set_material(names.index(place["i"]), names.index(place["j"]), material_in(place));
+  std::vector<std::string> keys = material_keys;
+  keys.insert(keys.end(), {"i", "j"});
+  place.require_keys(keys);
+  at(place, [&] { world.set_material(names.index(place["i"]), names.index(place["j"]), material_in(place)); });
 }
 
 JointLimits limits_in(const Place& place) {
@@ -209,6 +219,21 @@ Spring spring_in(const Place& place) {
   return spring;
 }
 
+/// Throws std::invalid_argument for a key that a joint of this kind does not use, and for a length that is missing.
+void require_of_kind(const Place& place, const Joint& joint) {
+  const bool has_length = joint.kind == JointKind::distance || joint.kind == JointKind::rope;
+  const bool has_limits = joint.kind == JointKind::rope || joint.limits;
+  const std::string of_kind = "left out for a joint of kind " + name_of(joint.kind);
+  if (has_length && !joint.length)
+    throw std::invalid_argument(place.path() + ".length is missing: a joint of kind " + name_of(joint.kind) +
+                                " has one");
+  for (const char* key : {"axis", "rest", "k_turn"})
+    if (!joint.is_guided() && place.has(key)) place[key].reject(of_kind);
+  if (joint.kind != JointKind::hinge && place.has("angle")) place["angle"].reject(of_kind);
+  if (!has_limits && place.has("limit_d"))
+    place["limit_d"].reject(joint.is_guided() ? "left out without limits" : of_kind);
+}
+
 template <int Dof>
 void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   place.require_keys({"i", "j", "p_i", "p_j", "length", "k", "d", "kind", "axis", "rest", "k_turn", "limits",
@@ -234,6 +259,8 @@ void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   if (const auto spring = place.find("spring")) joint.spring = spring_in(*spring);
   if (const auto motor = place.find("motor")) joint.motor = motor_in(*motor);
   read(place.find("angle"), joint.angle);
+  if (joint.length && joint.kind == JointKind::ball) joint.kind = JointKind::distance;
+  require_of_kind(place, joint);
   world.add_joint(joint);
 }
 

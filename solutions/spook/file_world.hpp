@@ -31,8 +31,12 @@ class BodyNames {
 template <int Dof>
 Settings<Dof> settings_in(const Place& file);
 
-/// Adds the bodies, joints and excluded contacts of a file to a world.
+/// Adds the bodies, joints, materials and excluded contacts of a file to a world.
 template <int Dof>
 void add_all(const Place& file, const BodyNames& names, World<Dof>& world);
+
+/// Returns the bodies, joints, materials and excluded contacts of a world, as add_all reads them.
+template <int Dof>
+Json content_of(const World<Dof>& world);
 
 }  // namespace spook

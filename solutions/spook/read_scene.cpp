@@ -4,7 +4,10 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "engine/support/did_you_mean.hpp"
 #include "scenes/number.hpp"
@@ -95,12 +98,18 @@ constexpr int deepest = 20;
 Json parsed(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::invalid_argument("the file cannot be read");
+  std::vector<std::set<std::string>> keys;  // of the objects around the present place
   try {
-    return Json::parse(in, [](int depth, Json::parse_event_t, Json&) {
+    return Json::parse(in, [&keys](int depth, Json::parse_event_t event, Json& value) {
       if (depth > deepest) {
         throw std::invalid_argument("lists and objects lie more than " + std::to_string(deepest) +
                                     " deep in one another");
       }
+      if (event == Json::parse_event_t::object_start) keys.emplace_back();
+      if (event == Json::parse_event_t::object_end) keys.pop_back();
+      // JSON would keep the last value, and drop the others.
+      if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+        throw std::invalid_argument("\"" + value.get<std::string>() + "\" is given twice in one object");
       return true;
     });
   } catch (const Json::exception& error) {

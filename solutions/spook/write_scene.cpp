@@ -2,6 +2,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "spook/file_world.hpp"
 #include "spook/scene_file.hpp"
 
 namespace spook {
@@ -150,6 +151,8 @@ static Json to_json(const Material& material) {
   if (material.restitution) json["restitution"] = *material.restitution;
   if (material.k) json["k"] = *material.k;
   if (material.d) json["d"] = *material.d;
+  if (material.rolling_resistance) json["rolling_resistance"] = *material.rolling_resistance;
+  if (material.torsional_resistance) json["torsional_resistance"] = *material.torsional_resistance;
   return json;
 }
 
@@ -166,18 +169,29 @@ static void put_materials(Json& json, const Materials& materials) {
 }
 
 template <int Dof>
-static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
-  if (world.settings().force || world.settings().wrench)
-    throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
-  json["settings"] = to_json(world.settings(), json["solver"]);
+Json content_of(const World<Dof>& world) {
+  Json json = Json::object();
   json["bodies"] = to_json(world.bodies(), world.shapes());
   for (const Kinematic<Dof>& kinematic : world.kinematic_bodies()) {
     const std::size_t i = world.index(kinematic.body);
     put_velocity(json["bodies"][i], kinematic, world.bodies().motion.W[i]);
   }
   put_materials(json, world.materials());
-  for (const std::vector<int>& list : world.shapes().exclusions.lists()) json["no_contact"].push_back(list);
+  for (const std::vector<int>& list : world.shapes().exclusions.lists())
+    if (list.size() > 1) json["no_contact"].push_back(list);  // others are left of removed bodies
   if (!world.joints().empty()) json["joints"] = to_json(world.joints());
+  return json;
+}
+
+template Json content_of(const World<3>&);
+template Json content_of(const World<6>&);
+
+template <int Dof>
+static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
+  if (world.settings().force || world.settings().wrench)
+    throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
+  json["settings"] = to_json(world.settings(), json["solver"]);
+  json.update(content_of(world));
 }
 
 Json scene_as_file(const SceneDescription& description, const Parameters& parameters, const Method& method) {

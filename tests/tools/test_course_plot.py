@@ -88,6 +88,16 @@ class CoursePlot(unittest.TestCase):
             for error in errors:
                 self.assertAlmostEqual(error, right, delta=1e-6)
 
+    def test_its_axes_are_the_options_of_run(self):
+        options = ["work_precision", "--quick", "--", "--time", "0.1"]
+        for axes, lines in ((["--accuracy", "1e-3,1e-6", "--h", "1/60"], {"accuracy 1e-3", "accuracy 1e-6"}),
+                            (["--soft-steps", "1,4", "--h", "1/60"], {"soft-steps 1", "soft-steps 4"}),
+                            (["--accuracy", "1e-6", "--h", "1/60"], {"auto"}),
+                            (["--sweep", "h=1/60", "iterations=10,20", "max-parts=1,4"], {"gauss_seidel max-parts 1", "gauss_seidel max-parts 4"})):
+            self.plot(*options, *axes)
+            with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
+                self.assertEqual({row["line"] for row in csv.DictReader(table)}, lines)
+
     def test_it_draws_an_engine_of_ones_own_beside_the_other(self):
         step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")
         self.addCleanup(self.box.restore, step)

@@ -272,6 +272,23 @@ class Refused(unittest.TestCase):
                 plot._compute(mock.Mock(), asked, Path("program"), Path(name), False)
         self.assertEqual(out.getvalue().split(), ["told"])
 
+    def test_an_experiment_takes_a_sweep_by_the_grammar_of_run(self):
+        with mock.patch.object(plot, "parameters_of", lambda scene: {"stack": {"ratio"}, "pile": {"seed"}}[scene]):
+            for more, words in ((["--quick"], ["--quick"]),
+                                (["--sweep", "h=1/60,1/120", "ratio=1,10", "--time", "2"],
+                                 ["--time", "2", "--h", "1/60,1/120", "--set", "ratio=1,10"]),
+                                (["--sweep", "accuracy=1e-3,1e-6"], ["--accuracy", "1e-3,1e-6"]),
+                                (["--sweep=soft_steps=1,4", "warm-start=off,on"], ["--soft-steps", "1,4", "--warm-start=off,on"]),
+                                (["--scene", "pile", "--sweep", "seed=1,2"], ["--scene", "pile", "--set", "seed=1,2"]),
+                                (["--scene", "stack", "--sweep", "seed=1,2"], ["--scene", "stack", "--seed", "1,2"])):
+                self.assertEqual(plot.without_sweep(more), words)
+            for more, told in ((["--sweep", "rato=1,2"], "'rato' is neither a parameter of stack nor an option of run; did you mean ratio?"),
+                               (["--sweep"], "plot: --sweep needs a value"),
+                               (["--sweep", "h=1,,2"], "plot: --sweep must be NAME=VALUE,VALUE, but is 'h=1,,2'")):
+                with self.assertRaises(BadInput) as caught:
+                    plot.without_sweep(more)
+                self.assertEqual(str(caught.exception), told)
+
     def test_an_option_of_an_experiment_is_told_its_place(self):
         with self.assertRaisesRegex(BadInput, "unknown option '--scene'; options of an experiment go after --"):
             arguments.parse(["plot", "work_precision", "--scene", "wire"])
@@ -419,6 +436,9 @@ class Runs(unittest.TestCase):
         sweep = ["pile", "--set", "bodies=5,10", "--sweep", "seed=1,2,3"]
         merged = json.loads(self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--json"))
         self.assertEqual(merged["means"], told["means"])
+        names = [{run["error"]["name"] for run in of["runs"]} for of in (merged, told)]
+        self.assertEqual(*names)
+        self.assertNotEqual(names[0], {"error"})
         self.assertEqual([run["error"]["value"] for run in merged["runs"]], [run["error"]["value"] for run in told["runs"]])
         self.assertIn("3 combinations skipped: it is in none of the merged tables", self.run_scene(*sweep, "--merge", "1.csv"))
         self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--csv", "all.csv")

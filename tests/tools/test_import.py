@@ -253,11 +253,59 @@ class Import(unittest.TestCase):
         self.refused("<body name='p'><freejoint/><geom size='1'/></body>", "body that there is not: \"z\"",
                      rest="<contact><exclude body1='p' body2='z'/></contact>")
 
-    def test_an_excluded_contact_with_a_static_body_is_named(self):
-        _, said = self.imported(self.written(
-            "<body name='table'><geom type='box' size='1 1 .1'/></body><body name='b' pos='0 0 1'><freejoint/><geom size='.1'/></body>",
+    def test_an_excluded_contact_with_a_static_body_is_that_bodys_alone(self):
+        scene, said = self.imported(self.written(
+            "<geom name='floor' type='plane' size='0 0 1'/><body name='table'><geom name='top' type='box' size='1 1 .1'/></body>"
+            "<body name='b' pos='0 0 1'><freejoint/><geom size='.1'/></body>",
             rest="<contact><exclude body1='b' body2='table'/></contact>"))
-        self.assertIn("excluded contacts with static bodies", said)
+        self.assertEqual(scene["no_contact"], [["b", "top"]])
+        self.assertNotIn("excluded", said)
+
+    def test_masks_keep_bodies_apart_which_stand_on_one_floor(self):
+        ball = "<body name='{0}' pos='0 0 {1}'><freejoint/><geom size='.2' contype='{2}' conaffinity='{3}'/></body>"
+        floor = "<geom name='floor' type='plane' size='0 0 1' contype='3' conaffinity='3'/>"
+        scene, said = self.imported(self.written(floor + ball.format("b", .2, 1, 1) + ball.format("c", .7, 2, 2)))
+        self.assertEqual(scene["no_contact"], [["b", "c"]])
+        self.assertNotIn("contype", said)
+        _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        for name in "bc":
+            self.assertAlmostEqual(self.at(table, scene, name)[-1, 2], 0.2, delta=1e-3)
+        # One-sided masks: no two of these balls touch, but each touches the floor; d touches nothing.
+        scene, _ = self.imported(self.written(floor + ball.format("b", 1, 1, 0) + ball.format("c", 2, 1, 0) + ball.format("d", 3, 4, 4)))
+        self.assertEqual(scene["no_contact"], [["b", "c"]])
+        self.assertNotIn("radius", next(body for body in scene["bodies"] if body["name"] == "d"))
+        # Static bodies and planes have masks, too.
+        scene, _ = self.imported(self.written(
+            floor + "<geom name='shelf' type='box' size='1 1 .1'/>" + ball.format("b", 1, 1, 1) + ball.format("c", 2, 2, 2)))
+        self.assertEqual(sorted(map(sorted, scene["no_contact"])), [["b", "c"], ["c", "shelf"]])
+
+    def test_a_body_on_a_joint_keeps_its_shape_but_does_not_touch_its_parent(self):
+        world = ("<body name='door' pos='0 0 1'><joint axis='0 0 1'/><geom type='capsule' fromto='0 0 0 .6 0 0' size='.1'/>"
+                 "<body name='end' pos='.6 0 0'><joint axis='0 1 0'/><geom type='box' size='.1 .1 .1' pos='.1 0 0'/></body></body>"
+                 "<body name='ball' pos='.3 -.5 1'><freejoint/><geom size='.1' mass='50'/></body>")
+        scene, said = self.imported(self.written(world, option="gravity='0 0 0'"))
+        bodies = {body["name"]: body for body in scene["bodies"]}
+        self.assertEqual((bodies["door"]["radius"], bodies["door"]["half_length"]), (0.1, 0.3))
+        self.assertEqual(bodies["end"]["half_sides"], [0.1] * 3)
+        self.assertEqual(scene["no_contact"], [["door", "end"]])
+        self.assertNotIn("left out", said)
+        bodies["ball"]["v"] = [0, 1, 0]
+        _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        self.assertGreater(self.at(table, scene, "door")[-1, 1], 0.05)  # the ball pushes it open
+        scene, _ = self.imported(self.written(world, rest="<option><flag filterparent='disable'/></option>"))
+        self.assertNotIn("no_contact", scene)
+
+    def test_a_body_with_a_centre_beside_its_geom_becomes_points(self):
+        body = "<geom type='plane' size='0 0 1'/><body name='b'><freejoint/><inertial pos='{0} 0 0' mass='2' diaginertia='1 1 1'/><geom size='.1'/></body>"
+        for offset, shape in ((0, "radius"), (0.01, "corners")):
+            scene, said = self.imported(self.written(body.format(offset)))
+            self.assertIn(shape, scene["bodies"][-1])
+            self.assertEqual("contacts with anything but planes, of bodies with several geoms" in said, shape == "corners")
+
+    def test_links_take_their_part_of_a_solids_inertia(self):
+        scene, _ = self.imported(self.written("<body name='b'><joint/><joint axis='1 0 0'/><geom size='.1' mass='5'/></body>"))
+        body = next(body for body in scene["bodies"] if body["name"] == "b")
+        np.testing.assert_allclose(body["principal"], 0.99 * 5 * 0.4 * 0.01 * np.ones(3), rtol=1e-12)
 
     def test_a_spring_swings_at_its_frequency_about_its_reference(self):
         """A mass of 2 kg on a slider, without weight: ω = 6 rad/s for 72 N/m, about 0.3 m, where it stands still again."""
@@ -337,16 +385,52 @@ class Import(unittest.TestCase):
             self.assertIn(words, done.stderr)
         self.assertEqual(model.read_text(), text)
 
-    def test_frictions_that_the_scene_lacks_are_named(self):
-        floor = "<geom type='plane' size='0 0 1' friction='.9'/>"
-        body = "<body><freejoint/><geom size='.1' friction='{0}' {1}/></body>"
-        scene, said = self.imported(self.written(floor + body.format(0.1, "") + body.format(0.5, "condim='6'")))
-        self.assertEqual(scene["settings"]["friction"], 0.9)
-        self.assertIn("all frictions but the largest, 0.9", said)  # two balls rub with 0.5
-        self.assertIn("torsional and rolling friction, condim 4 and 6 (line 2)", said)
-        _, said = self.imported(self.written(floor + body.format(0.1, "")))
-        self.assertNotIn("friction", said)
-        self.assertIn("1 body that moves, 0 joints", said)
+    def test_pairs_have_the_friction_of_the_model(self):
+        """It is the larger of two, or that of the higher priority; and 0 if both have condim 1."""
+        floor = "<geom name='floor' type='plane' size='0 0 1' friction='{0}' {1}/>"
+        body = "<body name='{0}'><freejoint/><geom size='.1' friction='{1}' {2}/></body>"
+
+        def frictions(*parts):
+            scene, said = self.imported(self.written("".join(parts)))
+            self.assertNotIn("friction", said)
+            usual, names = scene["settings"]["friction"], [each["name"] for each in scene["bodies"]]
+            given = {frozenset((pair["i"], pair["j"])): pair.get("friction", usual) for pair in scene.get("materials", [])}
+            return [given.get(frozenset((i, j)), usual) for k, i in enumerate(names) for j in names[k + 1:]]
+
+        # In the order floor and a, floor and b, a and b.
+        self.assertEqual(frictions(floor.format(0.3, ""), body.format("a", 0.1, ""), body.format("b", 0.5, "condim='6'")), [0.3, 0.5, 0.5])
+        self.assertEqual(frictions(floor.format(0.9, "condim='1'"), body.format("a", 0.4, "condim='1'"), body.format("b", 0.5, "")), [0, 0.9, 0.5])
+        self.assertEqual(frictions(floor.format(0.9, "priority='1'"), body.format("a", 0.4, ""), body.format("b", 0.5, "priority='2'")), [0.9, 0.5, 0.5])
+        self.assertEqual(frictions(floor.format(0.9, "condim='1' priority='1'"), body.format("a", 0.4, ""), body.format("b", 0.5, "")), [0, 0, 0.5])
+        two = "<body name='b'><freejoint/><geom size='.1' friction='{0}'/><geom size='.1' pos='1 0 0' friction='{1}'/></body>"
+        _, said = self.imported(self.written(floor.format(0.1, "") + two.format(0.5, 0.7)))
+        self.assertIn("frictions of single geoms of a body, all but the largest", said)
+        _, said = self.imported(self.written(floor.format(1, "") + two.format(0.5, 0.7)))
+        self.assertNotIn("frictions", said)
+
+    def test_a_ball_that_resists_rolling_comes_to_rest(self):
+        """It slows down by 5/7 g ρ/r; condim 4 has torsion alone."""
+        model = ("<geom type='plane' size='0 0 1'/><body name='b' pos='0 0 .1'><freejoint/>"
+                 "<geom size='.1' condim='{0}' friction='1 .004 .002'/></body>")
+        scene, _ = self.imported(self.written(model.format(4)))
+        self.assertEqual([each["torsional_resistance"] for each in scene["materials"]], [0.005])  # the floor's is larger
+        self.assertNotIn("rolling_resistance", scene["materials"][0])
+        scene, said = self.imported(self.written(model.format(6)))
+        self.assertNotIn("left out", said)
+        scene["bodies"][1] |= {"v": [1, 0, 0], "omega": [0, 10, 0]}
+        _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        self.assertAlmostEqual(self.at(table, scene, "b")[-1, 0], 1 - 5 / 7 * 9.81 * 0.002 / 0.1 / 2, delta=2e-3)
+
+    def test_a_smooth_ball_slides_beside_one_that_rolls(self):
+        ball = "<body name='{0}' pos='0 {1} .1'><freejoint/><geom size='.1' {2}/></body>"
+        scene, _ = self.imported(self.written("<geom type='plane' size='0 0 1' condim='1'/>" + ball.format("smooth", 0, "condim='1'")
+                                              + ball.format("rough", 1, "")))
+        for body in scene["bodies"][1:]:
+            body["v"] = [1, 0, 0]
+        _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        self.assertAlmostEqual(self.at(table, scene, "smooth")[-1, 0], 1, delta=1e-3)
+        # A ball that begins to roll keeps 5/7 of its speed; at μ = 1 that takes 2/7/g = 0.03 s.
+        self.assertAlmostEqual(self.at(table, scene, "rough")[-1, 0], 5 / 7, delta=0.01)
 
     # How it moves
 

@@ -11,6 +11,7 @@ import io
 import json
 import math
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -248,7 +249,7 @@ class Worlds(WithModule):
         world.step(h, steps=240)
         np.testing.assert_allclose(np.abs(world.joint_impulse(joint)), [h * 3 * 9.81], rtol=1e-9)
         world.remove_joint(joint)
-        self.refused("joint must be an index below 0, but is 0", world.joint_impulse, joint)
+        self.refused("joint is 0, where there is none", world.joint_impulse, joint)
 
     def test_a_motor_turns_a_wheel_to_its_limit(self):
         world, h = spook.World(gravity=(0, 0, 0)), 0.01
@@ -542,8 +543,33 @@ class Worlds(WithModule):
         self.refused("force must be finite, but is nan", world.set_force, 0, (0, 0, math.nan))
         self.refused("body must be an index below 1, but is 1", world.set_force, 1, (0, 0, 0))
         floor = world.add_plane()
-        self.refused(f"body must be a dynamic body, but is {floor}", world.set_force, floor, (0, 0, 1))
+        self.refused(f"body {floor} is static: no force moves it", world.set_force, floor, (0, 0, 1))
         self.refused("x must be finite, but is inf", world.place, 0, x=(0, 0, math.inf))
+        self.refused("threshold must be left out without a restitution of the world, which may be 0, but is 0.5", spook.World,
+                     threshold=0.5)
+        spook.World(threshold=0.5, restitution=0)
+
+    def test_an_argument_of_a_joint_is_named(self):
+        for kind, of_kind in ((spook.World, ("add_joint", "add_rope", "add_hinge", "add_slider", "add_weld")),
+                              (spook.PointWorld, ("add_joint", "add_rope"))):
+            world = kind()
+            world.add_fixed((0, 0, 0))
+            world.add(x=(1, 0, 0), radius=0.1)
+            for add in of_kind:
+                length = {"length": 2} if add == "add_rope" else {}
+                self.refused("joint's i must be an index below 2, but is 7", getattr(world, add), 7, 1, **length)
+                self.refused("joint's j must be an index below 2, but is -1", getattr(world, add), 0, -1, **length)
+        world = spook.World()
+        nail, ball = world.add_fixed((0, 0, 0)), world.add(x=(1, 0, 0), radius=0.1)
+        for add in (world.add_hinge, world.add_slider):
+            self.refused("limits must be two numbers, the lower one first, but are 1 and 0", add, nail, ball, limits=(1, 0))
+            self.refused("limits must be two numbers, the lower one first, but are 1 and 1; use a weld to lock a joint", add,
+                         nail, ball, limits=(1, 1))
+        world.add_hinge(nail, ball)
+        joint = world.add_joint(nail, ball)
+        for ask in (world.joint_position, world.joint_speed, world.motor_force, world.limit_force, world.spring_force,
+                    lambda joint: world.set_motor(joint, (1, 1)), lambda joint: world.set_spring(joint, (1, 1))):
+            self.refused("joint 1 must be a hinge or slider, but is of kind ball", ask, joint)
 
 
 def box_on_plane():
@@ -610,6 +636,11 @@ class Scenes(WithModule):
         self.assertAlmostEqual(run.error, max(abs(gaps + weights / 1e6)) / (weights[0] / 1e6), delta=1e-12)
         with self.assertRaisesRegex(KeyError, "no column; there are: time"):
             run["gap 9"]
+        self.assertEqual((run["residual"].shape, run["residual"][-1]), ((61,), run.residual))
+        swept = spook.scene("stack").run(time=0.1, solver="gauss_seidel")
+        self.assertGreater(swept["residual"][1:].min(), 0)
+        with self.assertRaises(KeyError):  # a scene without rows has none
+            spook.scene("orbit").run(time=0.1)["residual"]
 
     def test_a_step_may_be_a_number_a_fraction_or_a_text(self):
         from fractions import Fraction
@@ -736,6 +767,15 @@ class SoftSteps(WithModule):
         self.refused("k must be left out with soft_steps, whose springs follow from frequencies, but is 1000",
                      spook.World, k=1000, soft_steps=4)
         self.refused("soft_steps must be from 1 to 1024, but is 0", spook.PointWorld, soft_steps=0)
+        for kind, of_kind in ((spook.World, ("add_joint", "add_hinge", "add_slider", "add_weld")), (spook.PointWorld, ("add_joint",))):
+            world = kind(soft_steps=4)
+            nail, ball = world.add_fixed((0, 0, 0)), world.add(x=(1, 0, 0), radius=0.1)
+            for add in of_kind:
+                rule = "must be left out with soft_steps, unless the joint has a k, but is 3"
+                self.refused(f"d {rule}", getattr(world, add), nail, ball, d=3)
+                if add != "add_joint":
+                    self.refused(f"k_turn {rule}", getattr(world, add), nail, ball, k_turn=3)
+                getattr(world, add)(nail, ball, k=1e3, d=3)
 
     def test_accuracy(self):
         np.testing.assert_allclose(self.tower(accuracy=1e-9).x, self.tower().x, atol=1e-6)
@@ -749,6 +789,12 @@ class SoftSteps(WithModule):
             self.refused("solver and soft_steps must be left out with accuracy, which auto has", spook.PointWorld,
                          accuracy=1e-3, **given)
         self.assertEqual(spook.scene("stack").run(accuracy=0.01).options, {"accuracy": 0.01})
+
+
+def built_by_name(self, name):
+    spook.World.__init__(self, friction=0.1)
+    self.name = name
+    self.add_plane()
 
 
 class SavedWorlds(WithModule):
@@ -790,6 +836,83 @@ class SavedWorlds(WithModule):
         world.step(1 / 60, steps=30)
         self.assertEqual(done.stdout.decode().split(),
                          [str(world.time), world.state, *(float(number).hex() for number in world.x.ravel())])
+
+    def world_with_all(self, **settings):
+        """Returns a world with contacts, each kind of joint and of shape, materials, forces and bodies that move along
+        keyframes, some of it added after a number of steps."""
+        world = spook.World(friction=0.5, gravity=np.array((0, 0, -9.81)), **settings)
+        floor, gone = world.add_plane(), world.add(x=(9, 9, 9), radius=0.3)
+        boxes = [world.add(x=(0.01 * k, 0, 0.1 + 0.21 * k), half_sides=(0.1, 0.1, 0.1), mass=1 + 0.1 * k) for k in range(3)]
+        nail = last = world.add_fixed((2, 0, 3))
+        for k in range(3):
+            link = world.add(x=(2.3 + 0.3 * k, 0, 3), q=(math.cos(0.1 * k), math.sin(0.1 * k), 0, 0), radius=0.05, half_length=0.1)
+            world.add_joint(last, link, (0.1 if k else 0, 0, 0), (-0.2, 0, 0))
+            world.exclude_contacts([last, link, gone])
+            last = link
+        world.add(x=(5, 5, 1), corners=[(0, 0, 0), (0.1, 0, 0), (0, 0.1, 0.3)], principal=(1, 1, 1.5))
+        world.set_material(boxes[0], friction=0.1, restitution=0.3)
+        world.set_material(boxes[1], floor, friction=0.9)
+        world.step(1 / 60, steps=10)
+        door = world.add(x=(-3, 0, 1), half_sides=(0.5, 0.05, 1))
+        soft = "soft_steps" in settings
+        world.add_hinge(nail, door, (-4.5, 0, -2), (0.5, 0, 0), axis=(0, 1 / 3, math.sqrt(8) / 3), limits=(-2, 2), motor=(0.5, 3),
+                        spring=None if soft else (5, 0.1, 0.2))
+        world.add_weld(last, world.add(x=(3.4, 0, 3), radius=0.1))
+        if not soft:
+            world.add_rope(nail, boxes[2], 4.0)
+        lift, belt = world.add_fixed((-5, 0, 0), half_sides=(1, 1, 0.1)), world.add_fixed((8, 0, 0), half_sides=(1, 1, 0.1))
+        world.set_keyframes(lift, [0, 1, 2], [(-5, 0, 0), (-5, 0, 1), (-5, 1 / 3, 1)])
+        world.set_surface_velocity(belt, (0.3, 0, 0))
+        world.add(x=(8, 0, 0.2), radius=0.1)
+        world.set_force(boxes[2], (0.1, 0.2, 0.3), torque=(0, 0, 0.1))
+        world.remove_body(gone)
+        world.step(1 / 60, steps=10)
+        return world
+
+    def test_a_pickled_world_goes_on_with_the_same_bits(self):
+        for settings in ({}, {"warm_start": True, "solver": "gauss_seidel"}, {"soft_steps": 4},
+                         {"restitution": 0.5, "threshold": 0.1, "rotation": "exponential", "check": False},
+                         {"k": 1e5, "d": 4.0, "max_parts": 4}):
+            with self.subTest(settings), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                world = self.world_with_all(**settings)
+                other = pickle.loads(pickle.dumps(world))
+                third = copy.deepcopy(pickle.loads(pickle.dumps(other)))
+                for each in (world, other, third):
+                    each.step(1 / 60, steps=30)
+                for each in (other, third):
+                    for array in ("x", "v", "q", "omega", "masses"):
+                        np.testing.assert_array_equal(getattr(world, array), getattr(each, array))
+                    self.assertEqual((world.energy, world.state, world.time, world.report()),
+                                     (each.energy, each.state, each.time, each.report()))
+        points = falling(2)
+        points.add_joint(points.add_fixed((0, 0, 1)), 0, length=1)
+        points.set_force(1, (0, 1, 0))
+        points.step(0.01)
+        other = pickle.loads(pickle.dumps(points))
+        points.step(0.01, steps=20)
+        other.step(0.01, steps=20)
+        np.testing.assert_array_equal(points.x, other.x)
+        self.assertEqual(len(pickle.loads(pickle.dumps(spook.World()))), 0)
+
+    def test_a_class_of_ones_own_is_pickled_with_its_attributes(self):
+        with mock.patch.dict(globals(), {"Own": type("Own", (spook.World,), {"__module__": __name__, "__init__": built_by_name})}):
+            world = Own("a name")  # noqa: F821
+            other = pickle.loads(pickle.dumps(world))
+        self.assertEqual((type(other), other.name, len(other)), (type(world), "a name", 1))
+
+    def test_what_cannot_be_pickled_is_told(self):
+        world = spook.World()
+        world.add_plane()
+        world.set_velocity_function(world.add_fixed((0, 0, 0)), lambda t: (0, 0, 1))
+        with self.assertRaisesRegex(TypeError, "^a world cannot be pickled with a velocity function, but body 1 has one; "):
+            pickle.dumps(world)
+        world = falling()
+        world.place(0, v=(1e308, 0, 0))
+        with contextlib.suppress(spook.SimulationDiverged):
+            world.step(10, steps=2)
+        with self.assertRaisesRegex(TypeError, "no longer finite"):
+            pickle.dumps(world)
 
     def test_a_state_of_another_world_is_refused_and_changes_nothing(self):
         world, other = falling(), falling()
@@ -909,6 +1032,7 @@ class Sweeps(WithModule):
             self.refused('unknown solver "dirct"; did you mean "direct"?', spook.sweep, spook.scene("stack"),
                          solver=["direct", "dirct"])
             self.refused("jobs must be at least 1, but is 0", spook.sweep, spook.scene("stack"), jobs=0)
+            self.refused("ratio must have at least one value, but the list is empty", spook.sweep, "stack", ratio=[])
         run.assert_not_called()
 
     def test_combinations_that_are_refused_are_skipped(self):
@@ -940,8 +1064,16 @@ class Sweeps(WithModule):
         table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)
         with tempfile.TemporaryDirectory() as folder:
             table.to_csv(Path(folder, "t.csv"))
+            manifest = json.loads(Path(folder, "t.csv.manifest.json").read_text(encoding="utf-8"))
             rows = list(csv.DictReader(Path(folder, "t.csv").read_text(encoding="utf-8").splitlines()))
         self.assertEqual([float(row["error"]) for row in rows], list(table["error"]))
+        self.assertEqual(manifest["command"], "spook.sweep(spook.scene('orbit'), h=['1/60', '1/120'], time=[1])")
+        self.assertTrue(all(manifest.values()), manifest)
+        self.assertEqual(len(manifest["sha256"]), 1)
+        with mock.patch.dict(sys.modules, {"pyarrow": None}), self.assertRaises(ImportError) as caught:
+            table.to_parquet("t.parquet")
+        self.assertEqual(str(caught.exception),
+                         '"t.parquet" needs the Python package pyarrow; pip install pyarrow, or write CSV')
 
     def test_a_run_that_blows_up_has_a_row_that_says_so(self):
         with mock.patch("spook._spook.run", side_effect=spook.SimulationDiverged("blew up in step 1")):

@@ -47,17 +47,28 @@ REFUSED = (
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "axis": [0, 0, 2]},
      "joints[0]: length of axis must be 1, but is 2"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "limits": {"lower": 1, "upper": 0}},
-     "joints[0]: upper must be more than lower, which is 1"),
+     "joints[0].limits.upper must be more than lower, which is 1, but is 0"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "slider", "motor": {"sped": 1}},
      'joints[0].motor.sped is unknown; did you mean "speed"?'),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "spring": {"stiffness": -1}},
-     "joints[0]: stiffness must be zero or positive, and finite, but is -1"),
+     "joints[0].spring.stiffness must be zero or positive, and finite, but is -1"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "motor": {"viscosity": -1}}, "joints[0].motor.viscosity must be"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "spring": {"stifness": 1}},
      'joints[0].spring.stifness is unknown; did you mean "stiffness"?'),
     ("joints.0", {"i": "nail", "j": "ball", "spring": {"stiffness": 1}},
      "joints[0]: kind must be hinge or slider, where it has a spring, but is ball"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "rope"},
-     "joints[0].kind must be another than distance or rope, without a length, but is rope"),
+     "joints[0].length is missing: a joint of kind rope has one"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "distance"},
+     "joints[0].length is missing: a joint of kind distance has one"),
+    *((f"joints.0.{key}", value, f"joints[0].{key} must be left out for a joint of kind distance, but is ")
+      for key, value in (("axis", [0, 0, 1]), ("rest", [1, 0, 0, 0]), ("k_turn", 1), ("angle", 1), ("limit_d", 3))),
+    *(("joints.0", {"i": "nail", "j": "ball", "kind": kind, key: value}, f"joints[0].{key} must be left out {why}, but is ")
+      for kind, key, value, why in (("ball", "axis", [0, 0, 1], "for a joint of kind ball"), ("ball", "limit_d", 3, "for a joint of kind ball"),
+                                    ("weld", "angle", 1, "for a joint of kind weld"), ("slider", "angle", 1, "for a joint of kind slider"),
+                                    ("hinge", "limit_d", 3, "without limits"), ("weld", "limit_d", 3, "without limits"))),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "rope", "length": 1, "axis": [0, 0, 1]},
+     "joints[0].axis must be left out for a joint of kind rope"),
     ("no_contact", [["ball", "bx"]], 'no_contact[0][1] must be ball or box or floor or nail, but is "bx"'),
     ("no_contact", [["ball", "box"], ["ball"]],
      "no_contact[1]: number of bodies must be at least 2 to exclude contacts between them, but is 1"),
@@ -87,10 +98,10 @@ REFUSED = (
     ("bodies.2.half_length", -1, "bodies[2].half_length must be zero or positive"),
     ("bodies.3.material", {"frictoin": 1}, 'bodies[3].material.frictoin is unknown; did you mean "friction"?'),
     ("bodies.3.material", {"friction": -1}, "bodies[3].material.friction must be zero or positive, and finite, but is -1"),
-    ("bodies.3.material", {}, "bodies[3].material must be a friction, restitution, k or d, but is {}"),
+    ("bodies.3.material", {}, "bodies[3].material must be a friction, restitution, k, d or resistance, but is {}"),
     ("materials", [{"i": "box", "j": "bx", "friction": 1}], 'materials[0].j must be ball or box or floor or nail, but is "bx"'),
     ("materials", [{"i": "box", "j": "box", "friction": 1}], "materials[0].j must be another body than i"),
-    ("materials", [{"i": "box", "j": "floor"}], "materials[0] must be a friction, restitution, k or d"),
+    ("materials", [{"i": "box", "j": "floor"}], "materials[0] must be a friction, restitution, k, d or resistance"),
     ("bodies.0.surface_velocity", [1, 0, 1], "part of v along the plane's normal must be 0, but is 1"),
     ("expected.0.time", 1.001, "expected[0].time must be a whole number of steps of 0.008333 s, but is 1.001"),
     ("expected.0.time", -1, "expected[0].time must be a whole number of steps"),
@@ -427,6 +438,11 @@ class SceneFiles(unittest.TestCase):
         self.file.write_text('{"format":\n  "spook scene",,}')
         self.assertRegex(self.spook("run", self.file).stderr, r"^spook: \S+/mine.json: line 2, column 17: ")
         self.assertIn("missing.json: the file cannot be read", self.spook("run", "missing.json").stderr)
+
+    def test_a_key_is_given_once_in_an_object(self):
+        text = json.dumps(changed("time", 1))
+        self.file.write_text(text.replace('"time": 1', '"time": 2, "time": 1', 1))
+        self.assertIn('"time" is given twice in one object', self.spook("run", self.file).stderr)
 
     def test_every_scene_that_is_exported_runs_the_same_to_the_last_bit(self):
         names = [scene["name"] for scene in json.loads(self.spook("scenes", "--json").stdout)["scenes"]]

@@ -39,15 +39,15 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     plot, words = _taken("--plot", words)
     shard, words = _taken("--shard", words)
     slurm, words = _taken("--slurm", words)
-    merged, words = _taken_lists("--merge", words, lambda word: True)
-    swept, words = _taken_lists("--sweep", words, lambda word: True)
-    listed, words = _taken_lists("--set", words, lambda word: "," in word)
+    merged, words = taken_lists("--merge", words)
+    swept, words = taken_lists("--sweep", words)
+    listed, words = taken_lists("--set", words, lambda word: "," in word)
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
         raise BadInput(f"run: --plot must be names of columns, but is {plot!r}")
     axes: dict[str, tuple[str, ...]] = {}
     for text in listed + swept:
-        name, values = _values(text)
+        name, values = axis_of(text)
         if name in axes:
             raise BadInput(f"run: {name} is swept twice")
         axes[name] = values
@@ -78,7 +78,8 @@ def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
     return words[k + 1], words[:k] + words[k + 2:]
 
 
-def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) -> tuple[list[str], list[str]]:
+def taken_lists(option: str, words: list[str],
+                is_list: Callable[[str], bool] = lambda word: True) -> tuple[list[str], list[str]]:
     """Separates the values of options that take several words and may be repeated from all other words."""
     lists: list[str] = []
     left: list[str] = []
@@ -103,7 +104,8 @@ def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) 
     return lists, left
 
 
-def _values(text: str) -> tuple[str, tuple[str, ...]]:
+def axis_of(text: str) -> tuple[str, tuple[str, ...]]:
+    """Returns the name and the values of NAME=VALUE,VALUE."""
     name, _, values = text.partition("=")
     each = tuple(values.split(","))
     if not name or not all(each):

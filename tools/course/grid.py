@@ -186,8 +186,11 @@ def write_csv(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
 
 def write_parquet(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
     """Writes a column for each name. Raises OSError; ImportError without the package pyarrow."""
-    import pyarrow
-    from pyarrow import parquet
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError:
+        raise ImportError(f'"{file}" needs the Python package pyarrow; pip install pyarrow, or write CSV') from None
 
     columns = {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
     # Swept values are text. A column becomes numbers if all of its values are numbers.

@@ -9,14 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import peers
-from engine import program
+from beside import with_changed
+from engine import parameters_of, program
 from errors import BadInput, CourseError
+from extras import axis_of, taken_lists
 from manifest import Exercise
 from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
 from provenance import write_manifest
+from runs import value_of
 from slurm import run_array
 from terminal import Live, fold, fold_lines, paint
 
@@ -67,8 +70,29 @@ def plot(arguments) -> int:
         raise BadInput(f"plot: --publish needs the format svg, but --format is {arguments.format}")
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
+    if len(chosen) == 1 and chosen[0].name == _OF_ENGINES:
+        arguments.more = without_sweep(arguments.more)
     codes = [_one(experiment, arguments) for experiment in chosen]
     return max(codes)
+
+
+def without_sweep(more: list[str]) -> list[str]:
+    """Returns the options of work_precision with --sweep NAME=A,B written as --NAME A,B or --set NAME=A,B. A parameter of
+    the scene goes before an option of the same name."""
+    try:
+        swept, words = taken_lists("--sweep", more)
+        axes = [axis_of(text) for text in swept]
+    except BadInput as error:
+        raise BadInput(str(error).replace("run: ", "plot: ", 1)) from None
+    scene = value_of("--scene", words) or "stack"
+    words = [scene, *words]
+    parameters = parameters_of(scene) if axes else set()
+    for name, values in axes:
+        if name.replace("_", "-") == "warm-start" and name not in parameters:
+            words.append(f"--warm-start={','.join(values)}")
+        else:
+            words = with_changed(words, name, ",".join(values), parameters)
+    return words[1:]
 
 
 def _require_no_options(arguments) -> None:

@@ -43,7 +43,7 @@ class Sweep:
                 | {"h": row["seconds_of_h"]} for row in self.rows()]
 
 
-_NONE = dict.fromkeys(("error", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps", "time"))
+_NONE = dict.fromkeys(("error", "error_name", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps", "time"))
 
 
 def _row(result: Result, h: float | None) -> dict[str, Any]:
@@ -52,8 +52,8 @@ def _row(result: Result, h: float | None) -> dict[str, Any]:
         h = number(result.point["h"]) if "h" in result.point else h
         return {**result.point, **_NONE, "seconds_of_h": h, "state": "lost", "why": result.why}
     run = result.run
-    return {**result.point, "error": run["error"]["value"], "unit": run["error"]["unit"], "state": run["state"]["name"],
-            "why": run["state"]["reason"], "note": run["state"].get("note", ""), "residual": run["residual"], "us_per_step": run["us_per_step"],
+    return {**result.point, "error": run["error"]["value"], "error_name": run["error"]["name"],
+            "unit": run["error"]["unit"], "state": run["state"]["name"], "why": run["state"]["reason"], "note": run["state"].get("note", ""), "residual": run["residual"], "us_per_step": run["us_per_step"],
             "row_updates": run["row_updates"], "steps": run["steps"], "time": run["time"], "seconds_of_h": run["h"]}
 
 
@@ -63,7 +63,8 @@ def result_of(scene: str, point: Mapping[str, str], row: Mapping[str, str]) -> R
         return Result(point, None, row["why"])
     numbers = {name: number(row[name]) if row[name] else None
                for name in ("error", "h", "residual", "us_per_step", "row_updates", "steps", "time")}
-    return Result(point, numbers | {"scene": scene, "error": {"name": "error", "value": numbers["error"], "unit": row["unit"]},
+    error = {"name": row.get("error_name") or "error", "value": numbers["error"], "unit": row["unit"]}
+    return Result(point, numbers | {"scene": scene, "error": error,
                                     "state": {"name": row["state"], "reason": row["why"], "note": row.get("note", "")}}, "")
 
 

@@ -63,11 +63,20 @@ template <int Dof>
 void PythonWorld<Dof>::put_load(int body, const Twist<Dof>& load) {
   const std::size_t i = world().index(body);
   if (world_.bodies().is_fixed(i))
-    throw std::invalid_argument("body must be a dynamic body, but is " + std::to_string(body));
+    throw std::invalid_argument("body " + std::to_string(body) + " is static: no force moves it");
   require_all_finite("force", load.template head<3>());
   if constexpr (Dof == 6) require_all_finite("torque", load.template tail<3>());
   if (!world_.settings().wrench) world_.set_wrench(Loads<Dof>());
   world_.settings().wrench.template target<Loads<Dof>>()->set(i, load);
+}
+
+template <int Dof>
+std::optional<Eigen::Matrix<double, Eigen::Dynamic, Dof, Eigen::RowMajor>> PythonWorld<Dof>::loads() const {
+  if (!world().settings().wrench) return {};
+  const std::vector<Twist<Dof>>& all = world_.settings().wrench.template target<Loads<Dof>>()->all();
+  Eigen::Matrix<double, Eigen::Dynamic, Dof, Eigen::RowMajor> rows(std::ssize(all), Dof);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = all[static_cast<std::size_t>(i)];
+  return rows;
 }
 
 template <int Dof>
@@ -80,6 +89,7 @@ void PythonWorld<Dof>::remove_body(int body) {
 template <int Dof>
 void PythonWorld<Dof>::restore(const PythonWorld& saved) {
   bodies_of("restore") = World<Dof>(saved.world());
+  given = saved.given;
   check_ = saved.check_;
   checked_ = saved.checked_;
   warned_ = saved.warned_;

@@ -26,6 +26,7 @@ class Loads {
   void remove(std::size_t i) const {
     if (i < loads_->size()) loads_->erase(loads_->begin() + static_cast<std::ptrdiff_t>(i));
   }
+  const std::vector<Twist<Dof>>& all() const { return *loads_; }
 
  private:
   std::shared_ptr<std::vector<Twist<Dof>>> loads_;
@@ -36,7 +37,8 @@ class PythonWorld {
  public:
   PythonWorld(World<Dof> made, bool checked) : world_(std::move(made)), checked_(checked) {}
   PythonWorld(const PythonWorld& other)
-      : world_(other.world()),
+      : given(other.given),
+        world_(other.world()),
         check_(other.check_),
         checked_(other.checked_),
         warned_(other.warned_),
@@ -77,6 +79,8 @@ class PythonWorld {
 
   /// Throws std::invalid_argument for a number that is not finite, and for a static body.
   void put_load(int body, const Twist<Dof>& load);
+  /// Returns a row for each body that has had a force; none if no body has.
+  std::optional<Eigen::Matrix<double, Eigen::Dynamic, Dof, Eigen::RowMajor>> loads() const;
   void remove_body(int body);
   /// Restores `saved`: bodies, joints, settings, time and the impulses of a warm start. Throws py::buffer_error while
   /// arrays of the bodies' numbers exist.
@@ -88,6 +92,7 @@ class PythonWorld {
   void state(StateStream& s) { s(world_, check_, warned_, last_h_, reason_); }
 
   Views views = {};
+  py::object given = py::none();  ///< the arguments of the constructor, by name
 
  private:
   /// The clock is read after so many steps, so that it does not slow fast steps.

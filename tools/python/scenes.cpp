@@ -92,12 +92,14 @@ py::dict run_scene(const std::string& name, const Texts& set, const Texts& optio
   watch.look = [&](Scene& now, std::int64_t) {
     const std::vector<double> sample = now.sample();
     samples.insert(samples.end(), sample.begin(), sample.end());
+    if (scene.solves) samples.push_back(now.report().residual);
   };
   RunResult result;
   {
     const py::gil_scoped_release others_may_run;
     result = run(scene, parameters, settings, watch);
   }
+  if (scene.solves) result.columns.push_back("residual [m/s]");
   return py::dict("error"_a = result.error, "state"_a = name_of(result.verdict.state),
                   "reason"_a = result.verdict.reason, "note"_a = result.verdict.note,
                   "unsolved_steps"_a = result.verdict.unsolved, "us_per_step"_a = result.us_per_step,
@@ -164,6 +166,11 @@ void bind_scenes(py::module_& module) {
 
 PYBIND11_MODULE(_spook, module) {
   module.attr("__version__") = SPOOK_VERSION;
+#ifdef __clang__
+  module.attr("__compiler__") = "clang " __clang_version__;
+#else
+  module.attr("__compiler__") = "GCC " __VERSION__;
+#endif
   spook::py::register_exception<spook::SimulationDiverged>(module, "SimulationDiverged", PyExc_RuntimeError);
   spook::bind_worlds(module);
   spook::bind_scenes(module);

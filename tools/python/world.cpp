@@ -2,12 +2,17 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "arrays.hpp"
 #include "binding.hpp"
 #include "common/require.hpp"
 #include "engine/collision/queries.hpp"
+#include "engine/support/require_index.hpp"
 #include "scenes/choose.hpp"
 #include "scenes/method.hpp"
+#include "spook/file_world.hpp"
 
 namespace spook {
 
@@ -62,6 +67,8 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
     throw std::invalid_argument(
         "solver, friction_model, iterations, tolerance, warm_start and max_parts have no effect with "
         "soft_steps: leave them out");
+  if (!restitution && threshold != ImpactLaw{}.threshold)
+    reject("threshold", threshold, "left out without a restitution of the world, which may be 0");
   Settings<Dof> settings{
       .gravity = gravity,
       .k = k,
@@ -81,6 +88,35 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
   return {World<Dof>(std::move(settings)), check};
+}
+
+/// Returns the bodies, joints, materials and excluded contacts as text, and the forces of set_force. Throws
+/// py::type_error for a world that cannot be built again.
+template <int Dof>
+py::tuple content(const PythonWorld<Dof>& self) {
+  const World<Dof>& world = self.world();
+  for (const Kinematic<Dof>& each : world.kinematic_bodies())
+    if (each.velocity && !each.keyframes)
+      throw py::type_error("a world cannot be pickled with a velocity function, but body " +
+                           std::to_string(each.body) + " has one; set_velocity and set_keyframes can be");
+  const Bodies<Dof>& bodies = world.bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!bodies.x[i].allFinite() || !bodies.motion.W[i].allFinite())
+      throw py::type_error("a world that is no longer finite cannot be pickled");
+  return py::make_tuple(content_of(world).dump(), self.loads());
+}
+
+/// Adds what `content` returned to an empty world.
+template <int Dof>
+void fill(PythonWorld<Dof>& self, const std::string& text, const std::optional<Rows<Dof>>& loads) {
+  Json json = Json::parse(text);
+  json["settings"] = {{"points_pass", true}};
+  const Place file(json, "");
+  add_all(file, BodyNames(file["bodies"]), self.world());
+  if (!loads) return;
+  for (Eigen::Index i = 0; i < loads->rows(); ++i)
+    if (!self.world().bodies().is_fixed(static_cast<std::size_t>(i)))
+      self.put_load(static_cast<int>(i), loads->row(i).transpose());
 }
 
 /// Calls a function of Python for three numbers.
@@ -189,8 +225,14 @@ int add_rigid(PythonWorld<6>& self, const Vec3& x, const Vec3& v, double mass, d
 
 template <int Dof>
 void set_material(PythonWorld<Dof>& self, int body, std::optional<int> other, std::optional<double> friction,
-                  std::optional<double> restitution, std::optional<double> k, std::optional<double> d) {
-  const Material material{.friction = friction, .restitution = restitution, .k = k, .d = d};
+                  std::optional<double> restitution, std::optional<double> k, std::optional<double> d,
+                  std::optional<double> rolling_resistance, std::optional<double> torsional_resistance) {
+  const Material material{.friction = friction,
+                          .restitution = restitution,
+                          .k = k,
+                          .d = d,
+                          .rolling_resistance = rolling_resistance,
+                          .torsional_resistance = torsional_resistance};
   if (other)
     self.world().set_material(body, *other, material);
   else
@@ -219,23 +261,45 @@ int add_static(PythonWorld<6>& self, const Vec3& x, double radius, const std::ar
   return world.add_fixed_box(x, half_sides, turned);
 }
 
+/// Returns the world. Throws std::invalid_argument, naming i or j, for a body that there is not.
+template <int Dof>
+World<Dof>& with_bodies(PythonWorld<Dof>& self, int i, int j) {
+  const std::size_t count = self.world().bodies().size();
+  require_index("joint's i", i, count);
+  require_index("joint's j", j, count);
+  return self.world();
+}
+
+/// Throws std::invalid_argument for numbers of a joint without a k, which soft steps do not use.
+template <int Dof>
+void require_used(const World<Dof>& world, std::optional<double> k, std::optional<double> d,
+                  std::optional<double> k_turn = {}) {
+  if (!world.settings().soft_steps || k) return;
+  const std::string rule = "left out with soft_steps, unless the joint has a k";
+  if (d) reject("d", *d, rule);
+  if (k_turn) reject("k_turn", *k_turn, rule);
+}
+
 template <int Dof>
 int add_joint(PythonWorld<Dof>& self, int i, int j, const Vec3& p_i, const Vec3& p_j,
               std::optional<double> length, std::optional<double> k, std::optional<double> d) {
-  return self.world().add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
+  World<Dof>& world = with_bodies(self, i, j);
+  require_used(world, k, d);
+  return world.add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
 }
 
 template <int Dof>
 int add_rope(PythonWorld<Dof>& self, int i, int j, double length, const Vec3& p_i, const Vec3& p_j,
              std::optional<double> k, std::optional<double> d) {
-  return self.world().add_joint({.i = i,
-                                 .j = j,
-                                 .p_i = p_i,
-                                 .p_j = p_j,
-                                 .length = length,
-                                 .k = k,
-                                 .kind = JointKind::rope,
-                                 .limit_d = d});
+  return with_bodies(self, i, j)
+      .add_joint({.i = i,
+                  .j = j,
+                  .p_i = p_i,
+                  .p_j = p_j,
+                  .length = length,
+                  .k = k,
+                  .kind = JointKind::rope,
+                  .limit_d = d});
 }
 
 /// Converts a pair of numbers to a struct of two.
@@ -258,23 +322,46 @@ std::optional<Spring> spring_of(const SpringNumbers& numbers) {
   return Spring{.stiffness = all[0], .damping = all[1], .rest = all[2]};
 }
 
+/// Throws std::invalid_argument unless the lower limit comes first.
+void require_in_order(const std::optional<std::array<double, 2>>& limits) {
+  if (!limits || (*limits)[0] < (*limits)[1]) return;
+  std::ostringstream text;
+  text << "limits must be two numbers, the lower one first, but are " << (*limits)[0] << " and "
+       << (*limits)[1];
+  if ((*limits)[0] == (*limits)[1]) text << "; use a weld to lock a joint";
+  throw std::invalid_argument(text.str());
+}
+
+/// Returns the world. Throws std::invalid_argument, naming the joint, for one that is no hinge or slider.
+template <class World>
+World& with_free_axis(World& world, int joint) {
+  const Joint& found = world.joints()[require_index("joint", joint, world.joints().size())];
+  if (found.kind != JointKind::hinge && found.kind != JointKind::slider)
+    throw std::invalid_argument("joint " + std::to_string(joint) +
+                                " must be a hinge or slider, but is of kind " + name_of(found.kind));
+  return world;
+}
+
 /// A hinge, slider or weld.
 int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p_i, const Vec3& p_j,
                const Vec3& axis, std::optional<std::array<double, 2>> limits,
                std::optional<std::array<double, 2>> motor, const SpringNumbers& spring, std::optional<double> k,
                std::optional<double> d, std::optional<double> k_turn) {
-  return self.world().add_joint({.i = i,
-                                 .j = j,
-                                 .p_i = p_i,
-                                 .p_j = p_j,
-                                 .k = k,
-                                 .d = d,
-                                 .kind = kind,
-                                 .axis = axis,
-                                 .k_turn = k_turn,
-                                 .limits = pair_as<JointLimits>(limits),
-                                 .spring = spring_of(spring),
-                                 .motor = pair_as<Motor>(motor)});
+  World<6>& world = with_bodies(self, i, j);
+  require_used(world, k, d, k_turn);
+  require_in_order(limits);
+  return world.add_joint({.i = i,
+                          .j = j,
+                          .p_i = p_i,
+                          .p_j = p_j,
+                          .k = k,
+                          .d = d,
+                          .kind = kind,
+                          .axis = axis,
+                          .k_turn = k_turn,
+                          .limits = pair_as<JointLimits>(limits),
+                          .spring = spring_of(spring),
+                          .motor = pair_as<Motor>(motor)});
 }
 
 void bind_guided(Binding<6>& type) {
@@ -287,6 +374,9 @@ void bind_guided(Binding<6>& type) {
                   const SpringNumbers& spring) {
       return add_guided(self, kind, i, j, p_i, p_j, axis, limits, motor, spring, k, d, k_turn);
     };
+  };
+  const auto along = [](double (World<6>::*number)(int) const) {
+    return [number](const World<6>& world, int joint) { return (with_free_axis(world, joint).*number)(joint); };
   };
   for (const JointKind kind : {JointKind::hinge, JointKind::slider})
     type.def("add_" + name_of(kind), add(kind), "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "axis"_a = up,
@@ -303,21 +393,21 @@ void bind_guided(Binding<6>& type) {
       .def(
           "set_motor",
           [](Self& self, int joint, std::optional<std::array<double, 2>> motor) {
-            self.world().set_motor(joint, pair_as<Motor>(motor));
+            with_free_axis(self.world(), joint).set_motor(joint, pair_as<Motor>(motor));
           },
           "joint"_a, "motor"_a)
       .def(
           "set_spring",
           [](Self& self, int joint, const SpringNumbers& spring) {
-            self.world().set_spring(joint, spring_of(spring));
+            with_free_axis(self.world(), joint).set_spring(joint, spring_of(spring));
           },
           "joint"_a, "spring"_a)
-      .ask("joint_position", std::mem_fn(&World<6>::joint_position), "joint"_a)
-      .ask("joint_speed", std::mem_fn(&World<6>::joint_speed), "joint"_a)
+      .ask("joint_position", along(&World<6>::joint_position), "joint"_a)
+      .ask("joint_speed", along(&World<6>::joint_speed), "joint"_a)
       .ask("joint_torque", std::mem_fn(&World<6>::joint_torque), "joint"_a)
-      .ask("motor_force", std::mem_fn(&World<6>::motor_force), "joint"_a)
-      .ask("limit_force", std::mem_fn(&World<6>::limit_force), "joint"_a)
-      .ask("spring_force", std::mem_fn(&World<6>::spring_force), "joint"_a);
+      .ask("motor_force", along(&World<6>::motor_force), "joint"_a)
+      .ask("limit_force", along(&World<6>::limit_force), "joint"_a)
+      .ask("spring_force", along(&World<6>::spring_force), "joint"_a);
 }
 
 PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::optional<double> d,
@@ -374,7 +464,8 @@ void bind_both(Binding<Dof>& type, const char* name) {
           "n"_a = Vec3(0, 0, 1), "offset"_a = 0.0)
       .def("remove_body", &Self::remove_body, "body"_a)
       .def("set_material", &set_material<Dof>, "body"_a, "other"_a = py::none(), py::kw_only(),
-           "friction"_a = py::none(), "restitution"_a = py::none(), "k"_a = py::none(), "d"_a = py::none())
+           "friction"_a = py::none(), "restitution"_a = py::none(), "k"_a = py::none(), "d"_a = py::none(),
+           "rolling_resistance"_a = py::none(), "torsional_resistance"_a = py::none())
       .def(
           "exclude_contacts",
           [](Self& self, const std::vector<int>& bodies) { self.world().exclude_contacts(bodies); }, "bodies"_a)
@@ -449,6 +540,9 @@ void bind_both(Binding<Dof>& type, const char* name) {
     return self.views.of(self.world().bodies().motion.W, 3, 0, o);
   });
   type.type()
+      .def_readwrite("_given", &Self::given)
+      .def("_content", &content<Dof>)
+      .def("_fill", &fill<Dof>)
       .def("__len__", [](const Self& self) { return self.world().bodies().size(); })
       .def("__copy__", [](const Self& self) { return Self(self); })
       .def(

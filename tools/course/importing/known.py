@@ -12,13 +12,14 @@ _READ = {
     "mujoco": "model",
     "compiler": "angle eulerseq inertiafromgeom autolimits coordinate settotalmass boundmass boundinertia",
     "option": "timestep gravity",
-    "flag": "gravity contact constraint limit equality passive damper spring",
+    "flag": "gravity contact constraint limit equality passive damper spring filterparent",
     "body": f"pos {_TURN} childclass mocap gravcomp",
     "frame": f"pos {_TURN} childclass",
     "inertial": f"pos {_TURN} mass diaginertia fullinertia",
     "joint": "type pos axis range limited damping ref stiffness springref frictionloss armature",
     "freejoint": "",
-    "geom": f"type size pos {_TURN} fromto mass density friction contype conaffinity condim",
+    "geom": f"type size pos {_TURN} fromto mass density friction contype conaffinity condim "
+            "priority",
     "connect": "body1 body2 anchor active",
     "weld": "body1 body2 anchor relpose active",
     "exclude": "body1 body2",
@@ -35,7 +36,7 @@ _NO_MATTER = {
               "noslip_tolerance mpr_iterations mpr_tolerance ccd_iterations ccd_tolerance sdf_iterations "
               "sdf_initpoints apirate impratio actuatorgroupdisable sleep_tolerance",
     "flag": "warmstart refsafe clampctrl sensor midphase nativeccd island multiccd energy fwdinv invdiscrete autoreset "
-            "actuation eulerdamp frictionloss filterparent sleep",
+            "actuation eulerdamp frictionloss sleep",
     "body": "sleep",
     "freejoint": "align",
     "joint": "actuatorfrcrange actuatorfrclimited actuatorgravcomp",
@@ -46,7 +47,7 @@ _SKIPPED = {"asset", "visual", "statistic", "size", "custom", "sensor", "site", 
 _COUNTED = {"actuator", "tendon", "keyframe", "deformable", "extension", "pair", "composite", "flexcomp", "attach"}
 # Attributes that change nothing while they have these values.
 _NEUTRAL = {("option", "density"): 0.0, ("option", "viscosity"): 0.0, ("option", "wind"): 0.0,
-            ("geom", "margin"): 0.0, ("geom", "gap"): 0.0, ("geom", "priority"): 0.0, ("joint", "margin"): 0.0}
+            ("geom", "margin"): 0.0, ("geom", "gap"): 0.0, ("joint", "margin"): 0.0}
 _NEUTRAL_TEXT = {("geom", "fluidshape"): "none", ("geom", "shellinertia"): "false", ("flag", "override"): "disable",
                  ("option", "collision"): "all", ("compiler", "balanceinertia"): "false"}
 

@@ -1,6 +1,6 @@
 """Converts an MJCF model to a scene file: see solutions/spook/SCENES.md."""
 
-from collections import Counter
+from collections.abc import Iterator
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -8,7 +8,8 @@ import numpy as np
 from errors import BadInput
 from importing.known import name_unknown
 from importing.report import Report
-from importing.shapes import Geom, condim_of, friction_of, masks_of
+from importing.shapes import Geom, Surface, surface_of
+from importing.touching import BODY, PLANE, POINTS, STATIC, Touching
 from importing.tree import Model, ModelJoint, Part, in_axes, principal
 from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers
 
@@ -17,6 +18,9 @@ from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers
 _LINK = 0.01
 # What matters to how things move, and has no place in a scene of ours.
 _NOT_OURS = ("actuator", "tendon", "keyframe", "deformable", "extension", "contact/pair")
+_SOLIDS = ("sphere", "capsule", "box")
+_SAME = 1e-6  # of a size: the round-off of numbers in a model
+_POINTS = "bodies with several geoms, a cylinder, an ellipsoid, or a centre of mass outside the geom's middle"
 
 
 class SceneWriter:
@@ -34,8 +38,9 @@ class SceneWriter:
                             springs=self._has("passive") and self._has("spring"))
         if not self._model.parts:
             raise BadInput("nothing is left to simulate: no body has a joint that the import knows")
-        self._planes = [each for each in self._model.planes if any(masks_of(each))] if self._touches else []
+        self._planes = [each for each in self._model.planes if self._touches and _can_touch(surface_of(each))]
         self._solids: list[Geom] = []  # static ones
+        self._touching = Touching(report)
         self._bodies: list[dict] = []
         self._joints: list[dict] = []
         self._part_number: dict[int, int] = {}  # by id(part)
@@ -54,12 +59,14 @@ class SceneWriter:
             "summary": f"{root.get('model', name)}, a model in MJCF.",
             "model": "rigid", "h": float(numbers(self._option, "timestep", 1, "0.002")[0]), "time": 5, "solver": "auto",
             "half_step_start": True,
-            "settings": {"gravity": self._gravity(), "friction": self._friction()},
+            "settings": {"gravity": self._gravity(), "friction": self._touching.friction()},
             "bodies": self._bodies}
         if self._joints:
             self.scene["joints"] = self._joints
-        if excluded := self._excluded(root):
-            self.scene["no_contact"] = excluded
+        if materials := self._touching.materials():
+            self.scene["materials"] = materials
+        if apart := [*self._touching.apart(), *self._excluded(root), *self._parents()]:
+            self.scene["no_contact"] = apart
         if any("corners" in body for body in self._bodies):
             self.scene["settings"]["points_pass"] = True  # it is named as left out
 
@@ -78,39 +85,24 @@ class SceneWriter:
         kept = 1 - parts.pop() if len(parts) == 1 else 1
         return [float(kept * each) for each in numbers(self._option, "gravity", 3, "0 0 -9.81")]
 
-    def _friction(self) -> float:
-        """Sets friction. MJCF's is the larger of two geoms', and none where both have condim 1; our scenes have one
-        value."""
-        below = [(masks_of(plane), friction_of(plane), condim_of(plane)) for plane in self._planes]
-        below += [(solid.masks, solid.friction, solid.condim) for solid in self._solids]
-        pairs = {max(friction, geom.friction) if max(condim, geom.condim) > 1 else 0.0
-                 for masks, friction, condim in below
-                 for part in self._model.parts for geom in part.geoms if geom.touches(masks)}
-        pairs |= self._frictions_between_bodies()
-        if len(pairs) > 1:
-            self._report.leave_out(f"all frictions but the largest, {max(pairs):g}")
-        return max(pairs, default=0.0)
-
-    def _frictions_between_bodies(self) -> set[float]:
-        """Returns the frictions of pairs of free bodies that may touch."""
-        solids = [part.geoms[0] for part in self._model.parts if self._touches and self._is_solid(part)]
-        kinds = Counter((geom.masks, geom.friction, geom.condim) for geom in solids)
-        return {max(one[1], other[1]) if max(one[2], other[2]) > 1 else 0.0
-                for one in kinds for other in kinds if one != other or kinds[one] > 1
-                if one[0][0] & other[0][1] or other[0][0] & one[0][1]}
-
-    def _excluded(self, root: Element) -> list[list[str]]:
-        """Pairs of free bodies, by name, whose contacts are excluded; others meet no other body here."""
-        pairs = []
+    def _excluded(self, root: Element) -> Iterator[list[str]]:
+        """Returns the pairs of bodies, by name, whose contacts the model excludes."""
         for exclude in root.findall("contact/exclude"):
-            parts = [self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2")]
-            if parts[0] is parts[1]:
-                continue
-            if all(self._is_solid(part) for part in parts):
-                pairs.append([self._bodies[self._part_number[id(part)]]["name"] for part in parts])
-            elif self._model.world in parts and any(self._is_solid(part) for part in parts):
-                self._report.leave_out("excluded contacts with static bodies", exclude)
-        return pairs
+            names = [exclude.get(key, "") for key in ("body1", "body2")]
+            for name in names:
+                self._model.body(name, "a contact exclude")  # refuses an unknown one
+            if names[0] != names[1]:
+                yield from self._touching.between(*names, exclude)
+
+    def _parents(self) -> Iterator[list[str]]:
+        """Returns the pairs of a body and the one that it hangs on: they do not touch, unless a flag says otherwise."""
+        if not self._has("filterparent"):
+            return
+        for part in self._model.parts:
+            if part.parent is not None:
+                pair = [self._name(self._part_number[id(each)]) for each in (part.parent, part)]
+                if self._touching.may_meet(*pair):
+                    yield pair
 
     def _add(self, body: dict, name: str, x: np.ndarray, q: np.ndarray) -> int:
         taken = {each["name"] for each in self._bodies}
@@ -120,23 +112,28 @@ class SceneWriter:
         self._placed.append((x, q))
         return len(self._bodies) - 1
 
+    def _name(self, number: int) -> str:
+        return self._bodies[number]["name"]
+
     def _write_world(self) -> None:
         if not self._touches:
             self._report.stand_in("no body has a shape: the model's option turns contacts off")
         for plane in self._planes:
-            self._add({"plane": {"n": _list(numbers(plane, "n", 3)), "offset": float(plane.get("offset"))}},
-                      plane.get("name", "plane"), np.zeros(3), IDENTITY)
+            number = self._add({"plane": {"n": _list(numbers(plane, "n", 3)), "offset": float(plane.get("offset"))}},
+                               plane.get("name", "plane"), np.zeros(3), IDENTITY)
+            self._touching.add(self._name(number), PLANE, [(surface_of(plane), plane.get("owner"))])
             if any(numbers(plane, "size", None, "0 0")[:2] > 0):
                 self._report.leave_out("edges of planes: planes are infinite here", plane)
         for geom in self._model.world.geoms if self._touches else []:
-            if not any(geom.masks):
+            if not _can_touch(geom.surface):
                 continue
-            if geom.kind not in ("sphere", "capsule", "box"):
+            if geom.kind not in _SOLIDS:
                 self._report.leave_out(f"static {geom.kind}s", geom.element)
                 continue
             q = from_matrix(geom.R)
-            self._add({"fixed": True, "x": _list(geom.x), "q": _list(q)} | _shape_of(geom),
-                      geom.element.get("name", f"static {geom.kind}"), geom.x, q)
+            number = self._add({"fixed": True, "x": _list(geom.x), "q": _list(q)} | _shape_of(geom),
+                               geom.element.get("name", f"static {geom.kind}"), geom.x, q)
+            self._touching.add(self._name(number), STATIC, [(geom.surface, geom.owner)])
             self._solids.append(geom)
         if any(part.joints and part.parent is None for part in self._model.parts):
             self._number(self._model.world)
@@ -147,11 +144,15 @@ class SceneWriter:
         of_link = _LINK * mass
         mass, inertia = mass * (1 - links * _LINK), inertia * (1 - links * _LINK)
         moments, q = principal(inertia)
-        shape = self._shape(part, x, q)
-        if "half_sides" in shape or "half_length" in shape:  # along the geom's own axes
-            moments, q = part.geoms[0].moments, from_matrix(part.geoms[0].R)
+        solid = self._solid(part, x, inertia)
+        if solid is not None:
+            moments, q = np.diag(solid.R.T @ inertia @ solid.R), from_matrix(solid.R)
+        shape, geoms = self._shape(part, solid, x, q)
         body = {"x": _list(x), "q": _list(q), "mass": mass, "principal": _list(moments)} | shape
         number = self._part_number[id(part)] = self._add(body, part.name, x, q)
+        if geoms:
+            self._touching.add(self._name(number), BODY if solid else POINTS,
+                               [(geom.surface, geom.owner) for geom in geoms])
         above = None if part.free else self._part_number[id(part.parent or self._model.world)]
         for k, joint in enumerate(part.joints):
             below = number
@@ -169,35 +170,40 @@ class SceneWriter:
         self._joints.append({"i": self._bodies[i]["name"], "j": self._bodies[j]["name"],
                              "p_i": _list(in_axes(q_i, point - x_i)), "p_j": _list(in_axes(q_j, point - x_j))} | held)
 
-    def _is_solid(self, part: Part) -> bool:
-        """Tells whether a part is a free body of one sphere, capsule or box."""
-        alone = part.free and len(part.geoms) == 1 and not part.inertial
-        return alone and part.geoms[0].kind in ("sphere", "capsule", "box") and not any(
-            each.parent is part for each in self._model.parts)
+    def _solid(self, part: Part, x: np.ndarray, inertia: np.ndarray) -> Geom | None:
+        """Returns the sphere, capsule or box that is a part's whole shape; None if there is no such geom.
 
-    def _shape(self, part: Part, x: np.ndarray, q: np.ndarray) -> dict:
-        """Writes a sphere, a capsule or a box for such a free body; else points for contacts with planes."""
+        A body of the engine has its centre of mass in the middle of its shape, and its principal axes along it.
+        """
+        geoms = [geom for geom in part.geoms if _can_touch(geom.surface)]
+        if len(geoms) != 1 or geoms[0].kind not in _SOLIDS:
+            return None
+        geom, along = geoms[0], geoms[0].R.T @ inertia @ geoms[0].R
+        off_axes = 0 if geom.kind == "sphere" else abs(along - np.diag(np.diag(along))).max()
+        if np.linalg.norm(geom.x - x) > _SAME * geom.size.max() or off_axes > _SAME * along.max():
+            return None
+        return geom
+
+    def _shape(self, part: Part, solid: Geom | None, x: np.ndarray, q: np.ndarray) -> tuple[dict, list[Geom]]:
+        """Returns the shape of a part, and the geoms in it: the solid, or else points for contacts with planes."""
         if not self._touches:
-            return {}
-        masks = [masks_of(plane) for plane in self._planes]
-        solid = self._is_solid(part)
-        if solid:
-            masks += [geom.masks for geom in self._solids]
-            masks += [geom.masks for other in self._model.parts if other is not part for geom in other.geoms]
-        geoms = [geom for geom in part.geoms if any(geom.touches(each) for each in masks)]
-        if not solid and any(geom.touches(each.masks) for geom in part.geoms for each in self._solids):
-            self._report.leave_out("contacts of bodies with joints, or of several geoms, with static solids",
-                                   part.element)
+            return {}, []
+        planes = [surface_of(plane) for plane in self._planes]
+        others = [geom.surface for other in self._model.parts if other is not part for geom in other.geoms]
+        met = planes if solid is None else [*planes, *others, *(geom.surface for geom in self._solids)]
+        geoms = [geom for geom in part.geoms if any(geom.surface.touches(each) for each in met)]
+        if solid is None and any(geom.surface.touches(each.surface) for geom in part.geoms for each in self._solids):
+            self._report.leave_out(f"contacts with static solids, of {_POINTS}", part.element)
         if not geoms:
-            return {}
-        if solid:
-            return _shape_of(geoms[0])
-        self._report.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
+            return {}, []
+        if solid is not None:
+            return _shape_of(solid), geoms
+        self._report.leave_out(f"contacts with anything but planes, of {_POINTS}", part.element)
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
             count = len(_points(geoms, kind))
             self._report.stand_in(f"{kind}s in such bodies: {count} points on the surface of each, which planes stop")
         points = np.vstack([geom.points() for geom in geoms])
-        return {"corners": [_list(in_axes(q, point - x)) for point in points]}
+        return {"corners": [_list(in_axes(q, point - x)) for point in points]}, geoms
 
     def _write_equality(self, equality: Element) -> None:
         whole = self._model.defaults.applied(equality, None)
@@ -223,7 +229,8 @@ class SceneWriter:
 
 
 def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
-    """What a joint has beside its point. Damping without a spring is a motor at rest, with a torque for each speed."""
+    """Returns the numbers of a joint without its point. Damping without a spring is a motor at rest, with a torque for
+    each speed."""
     if joint.kind == "ball":
         return {}
     held: dict = {"kind": "hinge" if joint.kind == "hinge" else "slider", "axis": _list(to_axes @ joint.axis)}
@@ -234,6 +241,10 @@ def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
     elif joint.damping > 0:
         held["motor"] = {"speed": 0, "viscosity": joint.damping}
     return held
+
+
+def _can_touch(surface: Surface) -> bool:
+    return bool(surface.contype or surface.conaffinity)
 
 
 def _shape_of(geom: Geom) -> dict:

@@ -12,7 +12,30 @@ from importing.turning import matrix, named, numbers, turn_of, z_to
 
 DENSITY = 1000.0  # [kg/m³], unless given
 _NO_GEOM = ("plane", "mesh", "hfield", "sdf")
+_FRICTION = (1.0, 0.005, 0.0001)  # of sliding; of torsion and of rolling [m]
 _AROUND = 8  # points on a circle: on two of them a lying cylinder of radius r is r (1 - cos(π/8)) = 0.08 r too low
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Which geoms a geom touches, and with what friction."""
+
+    contype: int
+    conaffinity: int
+    friction: tuple[float, float, float]  # of sliding; of torsion and of rolling [m]
+    condim: int  # 1: without friction; 4: with torsion; 6: with rolling, too
+    priority: int
+
+    def touches(self, other: "Surface") -> bool:
+        return bool(self.contype & other.conaffinity or other.contype & self.conaffinity)
+
+    def friction_with(self, other: "Surface") -> tuple[float, float, float]:
+        """Returns the frictions of a contact: those of the higher priority, or else the larger ones."""
+        top = max(self.priority, other.priority)
+        chosen = [each for each in (self, other) if each.priority == top]
+        condim = max(each.condim for each in chosen)
+        sliding, torsion, rolling = map(max, *(each.friction for each in chosen), (0.0, 0.0, 0.0))
+        return sliding if condim > 1 else 0.0, torsion if condim > 3 else 0.0, rolling if condim > 4 else 0.0
 
 
 @dataclass
@@ -23,32 +46,23 @@ class Geom:
     size: np.ndarray  # radius, and half length without the caps; or half sides [m]
     mass: float  # [kg]
     moments: np.ndarray  # about its centre, along its axes [kg m²]
-    friction: float
-    masks: tuple[int, int]  # contype and conaffinity
-    condim: int = 3  # 1: without friction
+    surface: Surface
     element: Element | None = None
+    owner: str = ""  # name of its body in the model
 
     def moved(self, x: np.ndarray, R: np.ndarray) -> "Geom":
         return replace(self, x=x + R @ self.x, R=R @ self.R)
-
-    def touches(self, masks: tuple[int, int]) -> bool:
-        return bool(self.masks[0] & masks[1] or masks[0] & self.masks[1])
 
     def points(self) -> np.ndarray:
         """Returns the contact points with planes, a row each."""
         return self.x + _surface(self.kind, self.size) @ self.R.T
 
 
-def masks_of(element: Element) -> tuple[int, int]:
-    return int(numbers(element, "contype", 1, "1")[0]), int(numbers(element, "conaffinity", 1, "1")[0])
-
-
-def condim_of(element: Element) -> int:
-    return int(numbers(element, "condim", 1, "3")[0])
-
-
-def friction_of(element: Element) -> float:
-    return float(numbers(element, "friction", None, "1")[0])
+def surface_of(element: Element) -> Surface:
+    whole = {name: int(numbers(element, name, 1, default)[0])
+             for name, default in (("contype", "1"), ("conaffinity", "1"), ("condim", "3"), ("priority", "0"))}
+    given = [float(number) for number in numbers(element, "friction", None, "1")]
+    return Surface(friction=(*given, *_FRICTION[len(given):])[:3], **whole)
 
 
 def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None:
@@ -74,8 +88,7 @@ def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None
     volume, moments = _VOLUME[kind](size)
     mass = numbers(element, "mass", 1)[0] if "mass" in element.attrib else (
         numbers(element, "density", 1, str(DENSITY))[0] * volume)
-    return Geom(kind, x, R, size, float(mass), mass * moments, friction_of(element), masks_of(element),
-                condim_of(element), element)
+    return Geom(kind, x, R, size, float(mass), mass * moments, surface_of(element), element)
 
 
 # Volume [m³], and moments for each kilogram [m²].

@@ -13,7 +13,7 @@ from errors import BadInput
 from importing.defaults import Defaults
 from importing.replicate import expand
 from importing.report import Report
-from importing.shapes import Geom, condim_of, geom_of
+from importing.shapes import Geom, geom_of, surface_of
 from importing.turning import IDENTITY, from_matrix, inverse, matrix, named, numbers, product, turn_of, unit
 
 
@@ -85,7 +85,8 @@ class Model:
         for world in root.findall("worldbody"):
             expand(world, self.in_degrees, self.euler_order)
         self.world = Part("world", None, False, [])
-        self.planes: list[Element] = []
+        self._owner = "world"  # the body whose geoms are read
+        self.planes: list[Element] = []  # each with its place, and its body as "owner"
         self.parts: list[Part] = []
         # Of each body the part that it belongs to, and its own place and turn.
         self.bodies: dict[str, tuple[Part, np.ndarray, np.ndarray]] = {"world": (self.world, np.zeros(3), IDENTITY)}
@@ -124,7 +125,9 @@ class Model:
         elif parent is not self.world and numbers(body, "gravcomp", 1, "0")[0] != 0:
             self.report.leave_out("gravcomp of a body that moves with its parent", body)
         self.bodies[name] = part, x, q
+        outer, self._owner = self._owner, name
         self._read(body, part, x, q, childclass)
+        self._owner = outer
 
     def _joint(self, joint: Element, x: np.ndarray, q: np.ndarray) -> ModelJoint:
         kind, name = joint.get("type", "hinge"), joint.get("name", "without a name")
@@ -177,11 +180,10 @@ class Model:
             whole = self.defaults.applied(element, childclass)
             kind = whole.get("type", "sphere")
             geom = geom_of(whole, self.in_degrees, self.euler_order)
-            if condim_of(whole) > 3:
-                self.report.leave_out("torsional and rolling friction, condim 4 and 6", whole)
             if geom is not None:
                 if given:
                     geom.mass, geom.moments = 0.0, np.zeros(3)
+                geom.owner = self._owner
                 part.geoms.append(geom.moved(x, R))
             elif kind == "plane" and part is self.world:
                 self.planes.append(self._placed(whole, x, q))
@@ -208,6 +210,7 @@ class Model:
         placed = Element("plane", plane.attrib)
         placed.set("n", " ".join(map(repr, map(float, R[:, 2]))))
         placed.set("offset", repr(float(R[:, 2] @ at)))
+        placed.set("owner", self._owner)
         return placed
 
     def body(self, name: str, who: str) -> tuple[Part, np.ndarray, np.ndarray]:

@@ -16,11 +16,12 @@ that is finite and wrong warns once, by a RuntimeWarning, and in its state and r
 
 from .arguments import explained  # before _spook, which hides that NumPy is missing
 from ._spook import SimulationDiverged, PointWorld, World, __version__, scenes, solvers
+from .pickled import picklable
 from .scene import Run, Scene, scene
 from .sweep import Table, sweep
 
-explained(World)
-explained(PointWorld)
+for _kind in (World, PointWorld):
+    picklable(explained(_kind))
 
 __all__ = ["SimulationDiverged", "PointWorld", "Run", "Scene", "Table", "World", "__version__", "scene", "scenes", "solvers",
            "sweep"]

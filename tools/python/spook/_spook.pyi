@@ -21,10 +21,14 @@ class _EitherWorld:
         """Removes a body with its joints; the indices of bodies after it decrease by one. Raises BufferError while
         arrays of the bodies' numbers exist."""
     def set_material(self, body: int, other: int | None = None, *, friction: float | None = None,
-                     restitution: float | None = None, k: float | None = None, d: float | None = None) -> None:
+                     restitution: float | None = None, k: float | None = None, d: float | None = None,
+                     rolling_resistance: float | None = None, torsional_resistance: float | None = None) -> None:
         """Sets the material of a body in its contacts, or of a pair of bodies. Default of each value: the world's,
         also of those that an earlier call has set. For two bodies friction is the geometric mean, which is 0 if
-        either is 0. Restitution is the larger, k the smaller, d the larger."""
+        either is 0. Restitution is the larger, k the smaller, d the larger. rolling_resistance and
+        torsional_resistance are the largest torques that resist rolling, and spinning about the normal, over the
+        normal force [m]; default: 0, and the larger for two bodies. A ball of radius r with rolling_resistance ρ rests
+        on slopes up to tan θ = ρ/r."""
     def exclude_contacts(self, bodies: Sequence[int]) -> None:
         """Excludes contacts: these bodies do not touch each other from now on. A body may be in several such lists.
         Without a list, bodies on a joint touch as any two bodies do."""
@@ -152,9 +156,10 @@ class PointWorld(_EitherWorld):
         friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
         cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
         There are impacts only with a restitution, of the world or of a material, at approach speeds above the
-        threshold [m/s]. solver is one
+        threshold [m/s], which needs a restitution of the world. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
-        contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4. max_parts is the
+        contact keeps its row within the contact_margin [m]. warm_start starts sweeps with the last impulses, and has no
+        effect on direct and newton. integrator_order is 2 or 4. max_parts is the
         largest number of parts of a step, a power of two. soft_steps is a number of substeps: the method of
         game engines, fast and accurate to a per cent or so. It has no k and d, and sweeps of its own, so solver,
         friction_model, iterations, tolerance, warm_start and max_parts are refused, too. accuracy is the share of
@@ -195,9 +200,10 @@ class World(_EitherWorld):
         friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
         cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
         There are impacts only with a restitution, of the world or of a material, at approach speeds above the
-        threshold [m/s]. solver is one
+        threshold [m/s], which needs a restitution of the world. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
-        contact keeps its row within the contact_margin [m]. integrator_order is 2 or 4, and rotation
+        contact keeps its row within the contact_margin [m]. warm_start starts sweeps with the last impulses, and has no
+        effect on direct and newton. integrator_order is 2 or 4, and rotation
         "splitting", "exponential" or "first_order". max_parts is the largest number of parts of a step, a power
         of two: steps are divided if bodies on joints rotate fast or carry heavy loads. soft_steps is a number of
         substeps: the method of game engines, fast and accurate to a per cent or so. It has no k and d, and sweeps

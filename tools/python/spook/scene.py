@@ -115,7 +115,8 @@ class Run:
         return 1e-6 * (self.us_per_step or 0) * self.steps
 
     def __getitem__(self, column: str) -> np.ndarray:
-        """Returns a column of the samples, by its name with or without its unit: run["time"]."""
+        """Returns a column of the samples, by its name with or without its unit: run["time"]. run["residual"] has the
+        residual of each step; its start has none yet, and 0 instead."""
         for k, name in enumerate(self.columns):
             if column in (name, name.split(" [")[0]):
                 return self.samples[:, k]

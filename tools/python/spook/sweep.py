@@ -12,7 +12,7 @@ from typing import Any, Iterable, Iterator
 
 import numpy as np
 
-from . import grid
+from . import grid, manifest
 from ._spook import SimulationDiverged
 from .scene import OPTIONS, Scene
 
@@ -26,10 +26,12 @@ class Table:
     `skipped` has a dict for each refused combination, with the reason as "why".
     """
 
-    def __init__(self, rows: list[dict[str, Any]], names: Iterable[str] = (), skipped: list[dict[str, Any]] | None = None):
+    def __init__(self, rows: list[dict[str, Any]], names: Iterable[str] = (), skipped: list[dict[str, Any]] | None = None,
+                 made: tuple[str, str] | None = None):
         self.rows = rows
         self.skipped = skipped or []
         self._names = tuple(names)  # what is swept
+        self._made = made  # the call and the scene's name, for the manifest
 
     @property
     def columns(self) -> list[str]:
@@ -53,7 +55,7 @@ class Table:
             if self.rows and name not in self.columns:
                 raise KeyError(f"{name!r} is no column; there are: {', '.join(self.columns)}")
         rows = [row for row in self.rows if all(grid.same(row[name], value) for name, value in values.items())]
-        return Table(rows, self._names)
+        return Table(rows, self._names, made=self._made)
 
     def means(self, over: str = grid.SEED) -> Table:
         """Returns the mean error over seeds, or another name, for each other combination.
@@ -68,7 +70,7 @@ class Table:
         found = grid.means(self.rows, self._names, over)
         return Table([{**mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
                        "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width), "order": _or_nan(order)}
-                      for mean, order in zip(found, grid.mean_orders(found))])
+                      for mean, order in zip(found, grid.mean_orders(found))], made=self._made)
 
     def fits(self) -> Table:
         """Returns the order by a line through log(error) over log(h), or else d, or else k, for each other combination.
@@ -77,15 +79,23 @@ class Table:
         are left out, and so are combinations with fewer than three values of h.
         """
         return Table([{**fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
-                      for fit in grid.fits(self.rows, self._names)])
+                      for fit in grid.fits(self.rows, self._names)], made=self._made)
 
     def to_csv(self, file: str | os.PathLike) -> None:
-        """Writes a line of column names and a line for each row. Raises OSError."""
+        """Writes a line of column names and a line for each row, and FILE.manifest.json with the call, versions and
+        machine. Raises OSError."""
         grid.write_csv(file, self.rows)
+        self._write_manifest(file)
 
     def to_parquet(self, file: str | os.PathLike) -> None:
-        """Writes a column for each name. Raises OSError; ImportError without the package pyarrow."""
+        """Writes a column for each name, and a manifest as to_csv. Raises OSError; ImportError without the package
+        pyarrow."""
         grid.write_parquet(file, self.rows)
+        self._write_manifest(file)
+
+    def _write_manifest(self, file: str | os.PathLike) -> None:
+        if self._made:
+            manifest.write(file, *self._made)
 
     def __repr__(self) -> str:
         lines = self._lines()
@@ -132,6 +142,9 @@ def sweep(scene: Scene | str, *, jobs: int | None = None, progress: bool = True,
     _require_known(scene, lists)
     axes = {name: list(value) if isinstance(value, (list, tuple, range, np.ndarray)) else [value]
             for name, value in lists.items()}
+    for name, values in axes.items():
+        if not values:
+            raise ValueError(f"{name} must have at least one value, but the list is empty")
     points = grid.combinations(axes)
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs must be at least 1, but is {jobs}")
@@ -151,7 +164,9 @@ def sweep(scene: Scene | str, *, jobs: int | None = None, progress: bool = True,
     rows = [{**point, **future.result()} for (point, _), future in zip(asked, futures)]
     for row, (_, order) in zip(rows, grid.orders(rows, axes)):
         row["order"] = _or_nan(order)
-    return Table(rows, axes, [{**point, "why": why} for point, why in zip(points, refusals) if why])
+    named = ", ".join(f"{name}={values!r}" for name, values in axes.items())
+    return Table(rows, axes, [{**point, "why": why} for point, why in zip(points, refusals) if why],
+                 (f"spook.sweep({scene!r}, {named})", scene.name))
 
 
 def _require_known(scene: Scene, names: Iterable[str]) -> None:
