@@ -1,6 +1,6 @@
-// What a student's programs hold besides: when one crashes, and SPOOK_CRASH_TRACE names a file, the addresses of the
-// calls that led there are written to it, a line each, the innermost first. tools/course/crash.py finds the student's
-// line by them.
+// Writes a trace when a student's program crashes, if SPOOK_CRASH_TRACE names a file. The trace has the addresses of
+// the calls that led to the crash, a line each, the innermost first. tools/course/crash.py finds the student's line by
+// them.
 #include <execinfo.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-// The linker's name of the program's start: addresses are told from here, wherever the program was put.
+// The linker's name of the program's start. Addresses are counted from here, wherever the program was loaded.
 #ifdef __APPLE__
 extern "C" const char _mh_execute_header;
 static const char& program_start = _mh_execute_header;
@@ -27,7 +27,8 @@ constexpr int most_calls = 64;
 const char* file = nullptr;
 std::array<char, 1 << 16> stack;  // a function that calls itself without end leaves none of the ordinary one
 
-/// The distance from the program's start in hexadecimal, and a new line. No stream or printf is safe after a crash.
+/// Writes the distance from the program's start in hexadecimal, and a new line. After a crash no stream is safe, nor is
+/// printf.
 void write_line(int descriptor, std::uintptr_t distance) {
   std::array<char, 2 * sizeof distance + 1> line;
   auto* end = line.end();
@@ -41,8 +42,8 @@ void tell(int number) {
   std::array<void*, most_calls> calls;
   const int count = backtrace(calls.data(), most_calls);
   const int descriptor = open(file, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  // The first two are this function and the one that called it. The third is where a signal struck; all others are
-  // where calls return to, which may be the line after: the byte before belongs to the call.
+  // The first two are this function and its caller. The third is the place of the signal. All others are the places
+  // that calls return to, which may be the line after; the byte before belongs to the call.
   for (int k = 2; descriptor >= 0 && k < count; ++k)
     write_line(descriptor, reinterpret_cast<std::uintptr_t>(calls[static_cast<std::size_t>(k)]) -
                                reinterpret_cast<std::uintptr_t>(&program_start) - (k > 2));

@@ -16,7 +16,7 @@ HangingChain hanging_chain(int links, double length, double span, double weight,
     for (int i = 1; i <= links; ++i) sum += (length / std::hypot(H, down(i)) + 1 / k) * H;
     return sum;
   };
-  // Bracketed by doubling, then bisected to neighbouring doubles. (By round-off, rigid links may be too short.)
+  // Brackets the root by doubling, then bisects to neighbouring doubles. (By round-off, rigid links may be too short.)
   double low = 0, high = weight;
   while (reach(high) < span) high *= 2;
   if (!std::isfinite(high)) reject("span", span, "less than the links together");

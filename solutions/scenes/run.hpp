@@ -51,7 +51,7 @@ struct Watch {
   std::function<void(std::int64_t done, std::int64_t steps)> progress = nullptr;
 };
 
-/// Where a run begins. Default: at time 0.
+/// Start of a run. Default: at time 0.
 struct RunStart {
   std::int64_t substep = 0;  ///< number of substeps so far
   std::string state = {};    ///< bytes_of_state of the scene after them; empty at time 0

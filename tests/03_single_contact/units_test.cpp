@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// The arguments and results of this chapter's functions have these units, and the results are right in any units.
 #include "bodies.hpp"
 #include "contract.hpp"
 #include "exercise_test.hpp"

@@ -71,7 +71,7 @@ EXERCISE_TEST(StepFriction, WithoutFrictionIsTheStepOfContacts) {
                      "With mu = 0 there are no friction rows, and the step is that of chapter 04.");
 }
 
-// What rests has no slip, but weight along a slope would set it in motion.
+// A point mass at rest has no slip, but without friction its weight along a slope would set it in motion.
 EXERCISE_TEST(StepFriction, HoldsWhatRestsOnASlope) {
   const double h = 0.01, mass = 2;
   Simulation all;

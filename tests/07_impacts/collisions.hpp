@@ -35,7 +35,7 @@ struct Impact {
   double kappa_of_the_edge() const { return leaves() > 0 ? kappa_by_division() : infinity; }
   double kappa_by_division() const { return mu * (1 + e) * P().dot(n) / leaves(); }
 
-  /// How fast J leaves the cone as κ grows; negative if it goes deeper into it.
+  /// Returns the rate at which J leaves the cone as κ grows; negative if J goes deeper into the cone.
   double leaves() const {
     const double D_n = D().dot(n);
     return (D() - D_n * n).norm() - mu * D_n;
@@ -142,7 +142,7 @@ struct Boxes {
                             contact.r_j);
   }
 
-  /// Of all boxes at W + part W_f [J].
+  /// Returns the kinetic energy of all boxes at the velocities W + part W_f [J].
   double kinetic_energy(double part) const {
     double energy = 0;
     for (std::size_t k = 0; k < boxes.size(); ++k) {

@@ -34,7 +34,7 @@ EXERCISE(ImpactImpulse, "7.6 impact_impulse");
 EXERCISE(ApplyImpact, "7.7 apply_impact");
 EXERCISE(ResolveImpacts, "7.8 resolve_impacts");
 
-/// What is called with random impacts is called with so many, of which some stick, some slide, and some are eased.
+/// Number of random impacts for each function. Some of them stick, some slide, and some are eased.
 constexpr int impacts = 20;
 
 EXERCISE_TEST(StickImpulse, IsTheSameInAnyUnits) {

@@ -1,4 +1,4 @@
-// What an impulse does to the energy, and an impulse that never adds any.
+// The work of an impulse, and an impulse that never adds energy.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"

@@ -616,7 +616,7 @@ std::vector<Position> common_positions() {
           {"a cube on its edge", cube, ridge}};
 }
 
-/// How far the nearest of `others` is: its point, its gap, its normal.
+/// Returns the least difference between the contact and one of `others`: in point, gap and normal, added.
 double nearest(const Contact& contact, const std::vector<Contact>& others) {
   double least = infinity;
   for (const Contact& other : others)

@@ -231,7 +231,7 @@ void expect_slow_growth(BroadPhase find, const std::string& equation, const std:
                 operations_for(find, many), static_cast<double>(many.size()), factor, why, clue);
 }
 
-/// Where each body meets a few, whatever their number.
+/// Largest growth of the operations for 8 times the bodies, if each body meets a few others, whatever their number.
 constexpr double as_many_bodies = 16;
 const std::string why_as_many = "a part for each body makes it 8, sorting 11, and all pairs 64";
 

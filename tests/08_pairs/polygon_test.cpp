@@ -245,7 +245,7 @@ double hull_area(const std::vector<Eigen::Vector2d>& points) {
   return twice / 2;
 }
 
-/// How far the origin is within the hull of points [m]; negative without.
+/// Returns the depth of the origin within the hull of points [m]; negative outside.
 double depth_of_origin(const std::vector<Eigen::Vector2d>& points) {
   const auto around = hull(points);
   double depth = infinity;

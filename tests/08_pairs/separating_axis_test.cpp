@@ -76,7 +76,7 @@ void expect_best(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
             "cent of the gap, and a millionth of the smallest half side of the two boxes.");
 }
 
-/// What is said of the axis fits to the axis.
+/// Expects a unit vector from i to j, with the gap and the edges that belong to this axis.
 bool expect_sound(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
   const double size = i.half_sides.norm() + j.half_sides.norm() + (j.x - i.x).norm();
   expect_near("|n|", "Eq. (8.6)", got.n.norm(), 1, {1e-9, "edges that are nearly parallel"}, {},

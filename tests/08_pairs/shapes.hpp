@@ -33,7 +33,7 @@ inline std::string describe_both(const Box& i, const Box& j) {
   return "given i, " + describe(i) + "\nand j, " + describe(j);
 }
 
-/// How far a point is from a box; 0 within.
+/// Returns the distance of a point from a box; 0 within.
 inline double distance(const Box& box, const Vec3& p) {
   const Vec3 seen = box.axes.transpose() * (p - box.x);
   return (seen.cwiseAbs() - box.half_sides).cwiseMax(0).norm();

@@ -13,7 +13,7 @@ namespace {
 EXERCISE(PlaneBox, "8.3 plane_box");
 EXERCISE(BoxBall, "8.4 box_ball");
 
-// Those of `wanted`, corners of the box, that are behind the plane: each has one contact, and there are no others.
+// Expects one contact for each corner of the box at or behind the plane, and no others.
 bool expect_corners(const Plane& plane, const Box& box, const std::vector<Contact>& got) {
   std::vector<Vec3> deep;
   for (const Vec3& corner : corners(box))
@@ -164,7 +164,7 @@ EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(PlaneBox, CountsWhatIsSmall) {
-  // Of the box's place, its half sides and the plane's offset one is small; or what two of them leave of each other is.
+  // The box's place, its half sides, the plane's offset, or the difference of two of them is small.
   for (const double part : relative_scales)
     for (const auto& [z, half_sides, offset] : {std::tuple(1.0, Vec3(1, 1, part), 2.0),
                                                 {1.0, Vec3(part, part, part), 2.0},

@@ -56,7 +56,7 @@ EXERCISE(Bounds, "8.9 bounds");
 EXERCISE(SweepAndPrune, "8.10 sweep_and_prune");
 EXERCISE(SpatialHash, "8.11 spatial_hash");
 
-/// What is called with random shapes is called with so many: some touch and some do not.
+/// Number of random pairs of shapes for each function. Some of them touch and some do not.
 constexpr int pairs_of_shapes = 30;
 
 Plane some_plane(Random& random) {

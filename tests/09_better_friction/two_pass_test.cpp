@@ -127,7 +127,7 @@ EXERCISE_TEST(LimitFriction, ChangesNothingElse) {
                   "Only rows normal + 1 and normal + 2 get new bounds.");
 }
 
-/// How fast the slowest and the fastest point move, after the step [m/s].
+/// Returns the speeds of the slowest and the fastest point after the step [m/s].
 std::pair<double, double> speeds(const System<3>& s) {
   double slowest = infinity, fastest = 0;
   for (std::size_t k = 1; k < s.V.size(); ++k) {

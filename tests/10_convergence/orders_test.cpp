@@ -108,7 +108,7 @@ EXERCISE_TEST(RandomOrder, MakesEveryOrderAsLikely) {
       "likely ways to n! orders, which cannot be fair. Exchange with elements that are not yet placed.");
 }
 
-// Of two neighbours in a random order the first is the lower one half of the times, for any number of rows.
+// In a random order of any number of rows, the first of two neighbours is the lower one half of the times.
 EXERCISE_TEST(RandomOrder, IsAsRandomForManyRows) {
   std::mt19937_64 generator(Random::seed());
   const int n = 100000;

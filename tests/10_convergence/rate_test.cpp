@@ -1,4 +1,4 @@
-// How fast the entries of a history decrease.
+// The rate at which the entries of a history decrease.
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"
 #include "systems.hpp"
@@ -79,7 +79,7 @@ EXERCISE_TEST(ObservedRate, FindsTheRateOfAStack) {
 }
 
 EXERCISE_TEST(ObservedRate, UsesTwoEntriesOnly) {
-  // Of six entries the third and the last count.
+  // The third and the last of six entries count.
   for (const double other : {0.0, -1.0, std::nan("")})
     expect_near("rate of six entries, of which the irrelevant ones are " + show(other), "Eq. (10.5)",
                 observed_rate({other, other, 0.8, other, other, 0.1}), 0.5, roundings(8), {},

@@ -301,7 +301,7 @@ class Mine(unittest.TestCase):
 
 
 class Causes(unittest.TestCase):
-    """What compilers say of mistakes that readers made, shortened, and the cause that is added."""
+    """Messages of compilers about mistakes that readers made, shortened, and the cause that is added."""
     exercise = board.all_exercises()[0]
     place = f"chapters/{exercise.folder}/{exercise.file.name}"
 

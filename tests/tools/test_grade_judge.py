@@ -299,7 +299,7 @@ class OneRow(unittest.TestCase):
 
 
 class Best(unittest.TestCase):
-    """Of several attempts the one with most points counts, of equal ones the last; all of them cost time."""
+    """The attempt with most points counts, and the last one of equals. All attempts cost time."""
 
     def judged(self, *of_attempts: list[str], limit: float = 120) -> tuple[Submission, list[str], float]:
         exercise = next(iter(all_exercises()))

@@ -111,7 +111,7 @@ class GradeReference(unittest.TestCase):
 
 
 class OneBuild(unittest.TestCase):
-    """What submissions are compiled, linked and tested with is copied once, from one build."""
+    """All files with which submissions are compiled, linked and tested are copied once, from one build."""
 
     @classmethod
     def setUpClass(cls):
@@ -121,7 +121,7 @@ class OneBuild(unittest.TestCase):
         cls.addClassCleanup(cls.workshop.close)
 
     def test_a_change_is_noticed(self):
-        """Of the content, of the time, and of the file itself."""
+        """Changes the content, the time, and the file itself."""
         with tempfile.TemporaryDirectory() as folder:
             file, other, copy = (Path(folder, name) for name in ("a.o", "b.o", "copy.o"))
             for change, is_one in ((lambda: file.write_bytes(b"longer"), True), (lambda: other.rename(file), True),
@@ -218,7 +218,7 @@ class OneBuild(unittest.TestCase):
 
 
 class Linked(unittest.TestCase):
-    """What a submission could read as machine code, and print."""
+    """The functions that a submission could read as machine code, and print."""
 
     def functions_in(self, function: str, source: str) -> set[str]:
         """Returns the exercises that have a function in the program of an answer."""

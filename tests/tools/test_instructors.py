@@ -101,7 +101,7 @@ class Instructors(unittest.TestCase):
         self.assertEqual(len(self.chapters[8].exercises), 12)
 
     def test_every_exercise_has_hidden_tests_to_start_from(self):
-        """Of names that the chapter's own tests do not have: one of both would be shown, and no hidden one."""
+        """Their names differ from those of the chapter's own tests: a name of both would be shown."""
         for chapter in self.chapters.values():
             with self.subTest(chapter.folder):
                 hidden, shown = (_tests_in(folder / chapter.folder) for folder in (TESTS / "hidden", TESTS))

@@ -1,4 +1,4 @@
-"""What macOS compiles, as near as Linux comes to it: clang with its own library, libc++.
+"""The build of macOS, as near as Linux comes to it: clang with its own library, libc++.
 
 All that `./course test` builds on a Mac is built, and its compiled tests pass. An orbit has the error of the second
 order. Skipped where clang++, libc++ or the sources of GoogleTest are not installed.

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import unittest
 from pathlib import Path
@@ -33,7 +34,7 @@ from arguments import parse
 from errors import CourseError
 from exporting.export import export
 from grading.grade import grade
-from needs import BOOK_NEEDS, NEEDS, VIEW_NEEDS
+from needs import BOOK_NEEDS, LIVE_NEEDS, NEEDS, PYTHON_NEEDS, VIEW_NEEDS
 from trial import run_limited
 
 _SYSTEM_TOOLS = ("sh", "dirname", "readlink", "id", "cat", "chmod", "mkdir", "touch", "env")
@@ -99,10 +100,21 @@ class Mac(unittest.TestCase):
         done = self.box.course("start", "--yes", **self.env)
         self.assertEqual((self.fake.root / "asked").read_text().split(),
                          ["install", "cmake", "ninja", "git", "eigen", "googletest", "cli11", "nlohmann-json"])
+        system = re.search(r"^This course is tested on (macOS \d+)\. .*need Linux\.$", done.stdout,
+                           re.MULTILINE)[1]
+        self.assertIn(f"runs-on: {system.lower().replace(' ', '-')}\n",
+                      (ROOT / ".github" / "workflows" / "releases.yml").read_text(encoding="utf-8"))
         # All is there now; the cmake that brew has brought cannot do more than fail.
         self.assertEqual(done.returncode, 1)
         self.assertIn("CMake failed", done.stderr)
         self.assertNotIn("Traceback", done.stderr)
+
+    def test_the_python_module_asks_homebrew_for_names_that_it_knows(self):
+        self.fake.program("brew", _BREW)
+        self.box.course("python", "--yes", **self.env)
+        asked = (self.fake.root / "asked").read_text().split()
+        self.assertIn("pybind11", asked)
+        self.assertLessEqual(set(asked[1:]), set(packages.BREW.values()))
 
     def test_nothing_is_installed_without_an_answer(self):
         self.fake.program("brew", _BREW)
@@ -151,9 +163,26 @@ class MacParts(unittest.TestCase):
             self.assertTrue(install.install_line(["libjs-katex"]).startswith("brew install node && npm install "))
 
     def test_the_table_has_all_that_a_student_needs(self):
-        for need in NEEDS + BOOK_NEEDS + VIEW_NEEDS:
-            known = {*packages.BREW, *packages.PIP, *packages.NPM, *packages.APPLE}
+        known = {*packages.BREW, *packages.PIP, *packages.NPM, *packages.APPLE}
+        for need in NEEDS + BOOK_NEEDS + VIEW_NEEDS + LIVE_NEEDS + PYTHON_NEEDS:
             self.assertIn(need.package, known)
+        lists = [value for name, value in vars(needs).items() if name.endswith("NEEDS")]
+        self.assertGreater(len(lists), 8)
+        for need in [need for each in lists for need in each]:
+            self.assertIn(need.package, {*known, *packages.LINUX_ONLY})
+
+    def test_brew_is_not_asked_for_a_name_that_it_does_not_know(self):
+        with mock.patch.object(install.shutil, "which", lambda name: f"/opt/homebrew/bin/{name}"), \
+             mock.patch.object(install, "_run") as run, self.assertRaises(CourseError) as caught:
+            install._install(["libode-dev", "libmujoco-dev"], yes=True)
+        self.assertEqual(str(caught.exception), "missing: libode-dev libmujoco-dev; install with:  brew install ode  "
+                                                "(not in Homebrew: libmujoco-dev)")
+        run.assert_not_called()
+
+    def test_the_python_module_needs_a_header_of_this_python(self):
+        header = next(need for need in PYTHON_NEEDS if need.package == "python3-dev")
+        self.assertEqual(Path(header.name), Path(sysconfig.get_path("include"), "Python.h"))
+        self.assertEqual(install.install_line(["pybind11-dev", "python3-dev"]), "brew install pybind11 python")
 
     def test_headers_and_libraries_are_where_homebrew_and_npm_put_them(self):
         with mock.patch.dict(os.environ, {"HOMEBREW_PREFIX": "/brew"}):
@@ -223,6 +252,29 @@ class Lines(unittest.TestCase):
     def test_without_the_tool(self):
         with mock.patch.dict(os.environ, Fake(self).environment()):
             self.assertEqual(machine.lines_at(Path("check"), ["1a"]), [])
+
+
+class Processor(unittest.TestCase):
+    def model(self, mac: bool, program: str = "") -> str:
+        fake = Fake(self)
+        if program:
+            fake.program("sysctl", program)
+        with mock.patch.dict(os.environ, fake.environment()), mock.patch.object(machine, "is_mac", return_value=mac):
+            return machine.processor_model()
+
+    def test_on_linux(self):
+        with mock.patch.object(machine.Path, "read_text", return_value="processor\t: 0\nmodel name\t: Fast 3000\n"):
+            self.assertEqual(self.model(mac=False), "Fast 3000")
+
+    def test_on_macos(self):
+        program = '#!/bin/sh\n[ "$*" = "-n machdep.cpu.brand_string" ] && echo Apple M1\n'
+        self.assertEqual(self.model(mac=True, program=program), "Apple M1")
+        self.assertEqual(self.model(mac=True), "")
+
+    def test_no_other_file_asks_the_system(self):
+        asking = [file.name for file in ROOT.glob("tools/course/**/*.py")
+                  if re.search("/proc/cpuinfo|sysctl", file.read_text(encoding="utf-8"))]
+        self.assertEqual(asking, ["machine.py"])
 
 
 class Symbols(unittest.TestCase):

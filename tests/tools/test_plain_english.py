@@ -1,5 +1,6 @@
 """Lessons, pages and docstrings are in plain English: spelling, openings of docstrings, words, length of sentences."""
 
+import ast
 import re
 import shutil
 import subprocess
@@ -63,14 +64,34 @@ def sources() -> list[Path]:
 
 
 def first_lines() -> list[tuple[str, str]]:
-    """The first line of each docstring."""
-    found = []
-    for name in sources():
-        before = ""
-        for line in map(str.strip, (ROOT / name).read_text(encoding="utf-8").splitlines()):
-            if line.startswith("/// ") and not before.startswith("/// "):
-                found.append((str(name), re.sub(r"^Exercise [\d.]+\. ", "", line[4:])))
-            before = line
+    """Returns the first line of each docstring. In tests of C++ this is any comment of a file, a function or a class:
+    one that begins in the first column."""
+    found, read = [], set(sources())
+    for name in our_files():
+        is_test = name.parts[0] == "tests"
+        if name.suffix == ".py":
+            lines = python_lines((ROOT / name).read_text(encoding="utf-8"))
+        elif name in read or is_test and name.suffix in (".hpp", ".cpp"):
+            lines = cpp_lines((ROOT / name).read_text(encoding="utf-8"), is_test)
+        else:
+            lines = []
+        found += [(str(name), line) for line in lines]
+    return found
+
+
+def python_lines(text: str) -> list[str]:
+    kinds = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+    told = [ast.get_docstring(node) for node in ast.walk(ast.parse(text)) if isinstance(node, kinds)]
+    return [docstring.splitlines()[0] for docstring in told if docstring]
+
+
+def cpp_lines(text: str, is_test: bool) -> list[str]:
+    found, before = [], ""
+    for line in text.splitlines():
+        if not before.lstrip().startswith("//"):
+            start = re.match(r"//+ (.*)| +/// (.*)" if is_test else r" */// (.*)", line)
+            found += [re.sub(r"^Exercise [\d.]+\. ", "", start[start.lastindex])] if start else []
+        before = line
     return found
 
 
@@ -115,6 +136,13 @@ class PlainEnglish(unittest.TestCase):
 
 
 class TheGateItself(unittest.TestCase):
+    def test_finds_docstrings(self):
+        text = '"""A file."""\nclass A:\n    """A class.\n\n    More."""\n    def f():\n        "A function."\n'
+        self.assertEqual(python_lines(text), ["A file.", "A class.", "A function."])
+        text = "// A file.\n// More.\n\n/// Exercise 1.2. Adds.\nint a();\n  // A line.\n  int b;  // An end.\n  /// A member.\n"
+        self.assertEqual(cpp_lines(text, is_test=True), ["A file.", "Adds.", "A member."])
+        self.assertEqual(cpp_lines(text, is_test=False), ["Adds.", "A member."])
+
     def test_counts_sentences_and_words(self):
         text = "One two. Three `a b` four?\n\n- Five six\n- seven\n\n```\nno. word. here.\n```\n"
         self.assertEqual([words(s) for s in sentences(text) if s], [2, 3, 2, 1])

@@ -1,4 +1,4 @@
-"""What ./course check says about answers with a data race, and about a machine without ThreadSanitizer."""
+"""Messages of ./course check about answers with a data race, and about a machine without ThreadSanitizer."""
 
 import tempfile
 import unittest

@@ -12,6 +12,7 @@ from pathlib import Path
 from sandbox import ROOT, our_files
 
 from needs import BROWSER_NEEDS, LIVE_NEEDS, VIEW_NEEDS
+from test_libcxx import PACKAGES
 from version import stated_in, version
 
 _IDENTITY = ("-c", "user.name=S", "-c", "user.email=s@localhost", "-c", "commit.gpgsign=false")
@@ -80,6 +81,12 @@ class Papers(unittest.TestCase):
         called = re.search(r"for test in ([\w ]+);", job)[1].split()
         self.assertEqual(set(called), {file.stem.removeprefix("test_") for file in ROOT.glob("tests/tools/test_live_*.py")})
         self.assertIn("grep -qx OK log", job)  # unittest says "OK (skipped=1)" otherwise
+
+    def test_the_job_of_libcxx_skips_no_test(self):
+        job = self.text(".github/workflows/releases.yml").partition("\n  libcxx:\n")[2].partition("\n  mac:\n")[0]
+        for package in re.split(", | and ", PACKAGES):
+            self.assertRegex(job, rf"[ \n]{re.escape(package)}[ \n]")
+        self.assertRegex(job, r"test_libcxx\.py .*\| tee log\n +grep -qx OK log\n")
 
 
 class Release(unittest.TestCase):

@@ -129,14 +129,14 @@ def predictions_as_json(chapters: list[Chapter]) -> list[dict]:
 
 
 def first_left(states: list[tuple[Exercise, str]]) -> tuple[Exercise, str] | None:
-    """What comes next, and its state: the first that is wrong; then the first that is not started, or not yet checked."""
+    """Returns the next exercise and its state: the first wrong one; then the first that is not started or not checked."""
     wrong = [pair for pair in states if pair[1] == "wrong"]
     left = [pair for pair in states if pair[1] != "done"]
     return next(iter(wrong + left), None)
 
 
 def next_of_all() -> tuple[Exercise, str] | None:
-    """The same of all exercises, by what the last check of each has found."""
+    """Returns the next of all exercises and its state, by the last check of each."""
     return first_left([(exercise, last_state(exercise)) for exercise in all_exercises()])
 
 

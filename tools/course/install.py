@@ -80,8 +80,8 @@ def _npm(names: list[str]) -> list[str]:
 
 
 def _install_on_mac(lacking: list[str], yes: bool, instead: CourseError) -> None:
-    commands = _mac_commands(lacking)
-    if any(package in packages.APPLE for package in lacking) or not shutil.which("brew"):
+    commands, unknown = _mac_commands(lacking)
+    if unknown or any(package in packages.APPLE for package in lacking) or not shutil.which("brew"):
         raise instead
     if not (yes or _agreed(lacking, "brew, pip and npm")):
         raise instead
@@ -92,21 +92,21 @@ def _install_on_mac(lacking: list[str], yes: bool, instead: CourseError) -> None
         _go_on_with_our_python()
 
 
-def _mac_commands(lacking: list[str]) -> list[list[str]]:
-    """Lists the commands that install these: Apple's compiler first, Python's modules last."""
+def _mac_commands(lacking: list[str]) -> tuple[list[list[str]], list[str]]:
+    """Lists the commands that install these, Apple's compiler first, Python's modules last; and the packages that no
+    table has."""
     brew, rest = packages.split(lacking, packages.BREW)
     npm, rest = packages.split(rest, packages.NPM)
     modules, rest = packages.split(rest, packages.PIP)
     brew += ["node"] if npm and "node" not in brew and not shutil.which("npm") else []
-    apple = [package for package in rest if package in packages.APPLE]
-    brew += [package for package in rest if package not in apple]  # it may know more than our table
-    commands = [["xcode-select", "--install"]] if apple else []
+    unknown = [package for package in rest if package not in packages.APPLE]
+    commands = [["xcode-select", "--install"]] if len(unknown) < len(rest) else []
     commands += [["brew", "install", *brew]] if brew else []
     commands += [_npm(npm)] if npm else []
     if modules:
         commands += [[sys.executable, "-m", "venv", str(ENVIRONMENT)],
                      [str(ENVIRONMENT / "bin" / "pip"), "install", *modules]]
-    return commands
+    return commands, unknown
 
 
 def _go_on_with_our_python() -> None:
@@ -134,7 +134,9 @@ def install_line(lacking: list[str]) -> str:
         npm, rest = packages.split(lacking, packages.NPM)
         return " && ".join(([_CONDA_UPDATE] if rest else []) + ([shlex.join(_npm(npm))] if npm else []))
     if machine.is_mac():
-        return " && ".join(map(shlex.join, _mac_commands(lacking)))
+        commands, unknown = _mac_commands(lacking)
+        return "  ".join(([" && ".join(map(shlex.join, commands))] if commands else []) +
+                         ([f"(not in Homebrew: {' '.join(unknown)})"] if unknown else []))
     sudo = "" if _is_root() else "sudo "
     return (f"{sudo}apt-get update && {sudo}apt-get install -y --no-install-recommends {' '.join(lacking)}")
 

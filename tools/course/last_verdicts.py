@@ -1,4 +1,4 @@
-"""What the last check of each exercise found, in .course/verdicts.json: so that one check can tell what comes next."""
+"""Remembers the last verdict on each exercise in .course/verdicts.json, so that one check can name the next exercise."""
 
 import hashlib
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ _FILE, _TABLE = "verdicts.json", "verdicts"
 
 
 def remember(states: Iterable[tuple[Exercise, str]]) -> None:
-    """Stores done or wrong beside the text that was judged. What is not started needs no memory."""
+    """Stores done or wrong beside the judged text. Exercises that are not started are not stored."""
     known = remembered.read(_FILE, _TABLE)
     new = {exercise.label: [state, _digest(exercise)] for exercise, state in states if state != "not started"}
     if any(known.get(label) != entry for label, entry in new.items()):
@@ -18,7 +18,7 @@ def remember(states: Iterable[tuple[Exercise, str]]) -> None:
 
 
 def last_state(exercise: Exercise) -> str:
-    """done or wrong, as the last check of this text found it; not started; or begun, if no check has seen this text."""
+    """Returns done or wrong, as the last check of this text found; not started; or begun, if no check has read this text."""
     if exercise.source() is None:
         return "wrong"
     if not exercise.started():

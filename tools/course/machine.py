@@ -1,6 +1,7 @@
 """Hides what differs between Linux and macOS: a function for each difference."""
 
 import os
+import platform
 import re
 import resource
 import shutil
@@ -21,7 +22,7 @@ def is_mac() -> bool:
 def require_linux(what: str) -> None:
     """Raises on another system; `what` begins the sentence."""
     if is_mac():
-        raise CourseError(f"{what} needs Linux: a machine with Debian or Ubuntu, or a container")
+        raise CourseError(f"{what} needs Linux; use Debian, Ubuntu or a container")
 
 
 def processors() -> int:
@@ -29,6 +30,22 @@ def processors() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def processor_model() -> str:
+    """Returns the name of the processor's model; empty if the system does not tell it."""
+    if is_mac():
+        try:
+            return subprocess.run(["sysctl", "-n", "machdep.cpu.brand_string"], capture_output=True, text=True,
+                                  errors="replace").stdout.strip()
+        except FileNotFoundError:
+            return ""
+    try:
+        told = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        told = ""
+    found = re.search(r"^model name\s*: *(.+)$", told, re.MULTILINE)
+    return found[1].strip() if found else platform.processor()
 
 
 def has_command(name: str) -> bool:

@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import subprocess
-import sys
+import sysconfig
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -127,7 +127,7 @@ VIEW_NEEDS = (Need("libjs-three", "file", str(THREE_MIN)),)
 # The Python module's; ./course python installs them.
 PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("pybind11/detail/common.h",),
                      "PYBIND11_VERSION_(?:MAJOR|MINOR)"),
-                Need("python3-dev", "header", f"python{sys.version_info.major}.{sys.version_info.minor}/Python.h"))
+                Need("python3-dev", "file", str(Path(sysconfig.get_path("include"), "Python.h"))))
 # Other engines, for ./course plot peers; any of them will do. DART finds contacts by ODE's functions.
 PEER_NEEDS = (Need("libbullet-dev", "header", "bullet/btBulletDynamicsCommon.h"),
               Need("libode-dev", "header", "ode/ode.h"),

@@ -3,7 +3,8 @@
 # Homebrew's names.
 BREW = {"cmake": "cmake", "ninja-build": "ninja", "git": "git", "libeigen3-dev": "eigen", "libgtest-dev": "googletest",
         "libcli11-dev": "cli11", "nlohmann-json3-dev": "nlohmann-json", "nodejs": "node", "pybind11-dev": "pybind11",
-        "clang-format": "clang-format", "codespell": "codespell", "libbullet-dev": "bullet", "libode-dev": "ode",
+        "python3-dev": "python", "clang-format": "clang-format", "codespell": "codespell", "libbullet-dev": "bullet",
+        "libode-dev": "ode", "libdart-collision-ode-dev": "dartsim", "emscripten": "emscripten",
         "fonts-linuxlibertine": "font-linux-libertine"}
 # Of the Python modules, which go into a virtual environment of the course's own.
 PIP = {"python3-numpy": "numpy", "python3-matplotlib": "matplotlib", "python3-markdown-it": "markdown-it-py",
@@ -13,6 +14,9 @@ PIP = {"python3-numpy": "numpy", "python3-matplotlib": "matplotlib", "python3-ma
 NPM = {"libjs-three": "three@0.111.0", "libjs-katex": "katex@0.16"}
 # What Apple gives in place of Debian's compilers.
 APPLE = ("g++", "clang")
+# Homebrew lacks these. All but MuJoCo are for commands that need Linux.
+LINUX_ONLY = ("bubblewrap", "libarchive-tools", "libclang-rt-dev", "slurm-wlm", "munge", "chromium", "chromium-driver",
+              "libmujoco-dev")
 
 
 def split(packages: list[str], names: dict[str, str]) -> tuple[list[str], list[str]]:

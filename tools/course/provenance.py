@@ -3,13 +3,12 @@
 import hashlib
 import json
 import os
-import platform
 import subprocess
 import time
 from pathlib import Path
 
 from engine import RELEASE
-from machine import processors
+from machine import processor_model, processors
 from version import commit, version
 
 
@@ -35,10 +34,5 @@ def _compiler() -> str:
 
 
 def _machine() -> str:
-    """Returns the processor's model, where the system names it."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
-        model = next(line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    except (OSError, StopIteration):
-        model = platform.processor()
-    return f"{os.uname().sysname} {os.uname().machine}, {model or 'unknown processor'}"
+    """Returns the system, the architecture and the model of the processor."""
+    return f"{os.uname().sysname} {os.uname().machine}, {processor_model() or 'unknown processor'}"

@@ -9,6 +9,7 @@ from board import progress
 from engine import program
 from errors import CourseError
 from install import install
+from machine import is_mac
 from manifest import read_chapters
 from needs import NEEDS
 from paths import BUILD, ROOT, shown
@@ -16,8 +17,12 @@ from speed_error import measure, show_table
 from terminal import paint
 from verdict import CHECK
 
+_ON_MACOS = "This course is tested on macOS 14. Grading and mutants need Linux."
+
 
 def start(arguments) -> int:
+    if is_mac():
+        print(_ON_MACOS, flush=True)
     install(NEEDS, arguments.yes)
     spook = program("spook")
     _build_tests()

@@ -1,4 +1,4 @@
-"""How far away a submission's code is kept: the strongest way that works here, found by trying.
+"""Isolates a submission's code by the strongest of these ways that works here, which is found by trying.
 
     bubblewrap and a uid   as root: as below, and a user of its own for each worker
     bubblewrap             namespaces: no network, no process but its own, no file but those it needs, none to write
