@@ -1,25 +1,18 @@
 #include "engine/constraints/contact_resistance.hpp"
 
-#include "05_friction_box/friction_box.hpp"
+#include "13_mechanisms/mechanisms.hpp"
 
 namespace spook {
 
 static constexpr double softness = 1e-9;  // Σ, of the diagonal: two contacts of a pair have the same rows
 
-/// Adds a row that stops the relative rotation about an axis, with an angular impulse of at most `most` [N m s].
-static void add_row(const Contact& contact, const Vec3& axis, double most, const Motion<6>& motion,
-                    std::vector<Row<6>>& rows) {
-  Constraint<6> constraint{.i = contact.i,
-                           .j = contact.j,
-                           .Gi = Twist<6>::Zero(),
-                           .Gj = Twist<6>::Zero(),
-                           .gap = 0,
-                           .spook = {.a = 0, .b = 1, .Sigma = 0},
-                           .lo = -most,
-                           .hi = most};
-  constraint.Gi.tail<3>() = -axis;
-  constraint.Gj.tail<3>() = axis;
-  Row<6> row = make_row(constraint, motion);
+/// Adds the row of a motor that brakes the rotation about an axis, with a torque of at most `most` [N m].
+static void add_brake(const Contact& contact, const Vec3& axis, double most, double h, const Motion<6>& motion,
+                      std::vector<Row<6>>& rows) {
+  Coordinate angle{.i = contact.i, .j = contact.j, .Gi = Twist<6>::Zero(), .Gj = Twist<6>::Zero(), .value = 0};
+  angle.Gi.tail<3>() = -axis;
+  angle.Gj.tail<3>() = axis;
+  Row<6> row = motor_row(angle, {.speed = 0, .strength = most, .viscosity = infinity}, h, motion);
   if (row.diagonal == 0) return;  // neither body can turn
   row.Sigma = softness * row.diagonal;
   row.diagonal += row.Sigma;
@@ -34,14 +27,14 @@ void add_resistance_rows(const std::vector<Contact>& contacts, double h, const M
     const double N = last.contact_force(contact.i, contact.j);
     if (N == 0) continue;
     if (touching.torsional_resistance > 0)
-      add_row(contact, contact.n, h * touching.torsional_resistance * N, motion, rows);
+      add_brake(contact, contact.n, touching.torsional_resistance * N, h, motion, rows);
     if (!(touching.rolling_resistance > 0)) continue;
     const Vec3 omega = (motion.W[contact.j] - motion.W[contact.i]).tail<3>();
     const Vec3 rolling = omega - omega.dot(contact.n) * contact.n;
     const bool rolls = rolling.norm() > 1e-9 * omega.norm();
     const Vec3 first = rolls ? rolling.normalized() : tangents(contact.n).t1;
     for (const Vec3& axis : {first, Vec3(contact.n.cross(first))})
-      add_row(contact, axis, h * touching.rolling_resistance * N, motion, rows);
+      add_brake(contact, axis, touching.rolling_resistance * N, h, motion, rows);
   }
 }
 

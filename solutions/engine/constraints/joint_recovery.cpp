@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/bodies/conserved_quantities.hpp"
-#include "engine/support/disjoint_sets.hpp"
+#include "engine/constraints/mechanisms.hpp"
 
 namespace spook {
 
@@ -58,41 +58,24 @@ static bool has_large_gap(const Joint& joint, const Bodies<Dof>& bodies) {
   return gap.apart.norm() > largest_gap * arm || gap.turned.norm() > largest_gap;
 }
 
-/// The bodies that joints connect.
-template <int Dof>
-class Mechanisms {
- public:
-  Mechanisms(const std::vector<Joint>& joints, const Bodies<Dof>& bodies)
-      : bodies_(bodies), sets_(bodies.size()) {
-    for (const Joint& joint : joints)
-      if (!bodies.is_fixed(joint.i) && !bodies.is_fixed(joint.j)) sets_.join(joint.i, joint.j);
+/// Sets the work of a mechanism to 0 if it is at most `share_of_energy` of the mechanism's kinetic energy. Returns true
+/// if any work is left.
+template <int Dof, class Velocity>
+static bool leave_with_work(Mechanisms<Dof>& mechanisms, const Bodies<Dof>& bodies, std::vector<double>& work,
+                            const Velocity& velocity_of) {
+  std::vector<double> T(bodies.size(), 0.0);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (const int number = mechanisms.of(static_cast<int>(i)); work[number] > 0)
+      T[number] += kinetic_energy(bodies, i, velocity_of(i));
+  bool any = false;
+  for (std::size_t i = 0; i < T.size(); ++i) {
+    if (work[i] > share_of_energy * T[i])
+      any = true;
+    else
+      work[i] = 0;
   }
-
-  /// Returns the number of the mechanism that a joint belongs to.
-  int of(const Joint& joint) { return sets_.find(bodies_.is_fixed(joint.i) ? joint.j : joint.i); }
-
-  /// Sets the work of a mechanism to 0 if it is at most `share_of_energy` of the mechanism's kinetic energy. Returns
-  /// true if any work is left.
-  template <class Velocity>
-  bool leave_with_work(std::vector<double>& work, const Velocity& velocity_of) {
-    std::vector<double> T(bodies_.size(), 0.0);
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-      if (const int set = sets_.find(static_cast<int>(i)); work[set] > 0)
-        T[set] += kinetic_energy(bodies_, i, velocity_of(i));
-    bool any = false;
-    for (std::size_t i = 0; i < T.size(); ++i) {
-      if (work[i] > share_of_energy * T[i])
-        any = true;
-      else
-        work[i] = 0;
-    }
-    return any;
-  }
-
- private:
-  const Bodies<Dof>& bodies_;
-  DisjointSets sets_;
-};
+  return any;
+}
 
 template <int Dof>
 std::vector<std::size_t> holding_rows_with_work(const std::vector<Joint>& joints,
@@ -111,9 +94,11 @@ std::vector<std::size_t> holding_rows_with_work(const std::vector<Joint>& joints
       const Row<Dof>& row = rows[k];
       work[mechanisms.of(joints[n])] += row.lambda * (row.Gi.dot(mean(row.i)) + row.Gj.dot(mean(row.j)));
     });
-  if (!mechanisms.leave_with_work(work, [&](std::size_t i) -> Twist<Dof> { return motion.W[i]; }) ||
-      !mechanisms.leave_with_work(work, [&](std::size_t i) -> Twist<Dof> { return motion.Wf[i]; }) ||
-      !mechanisms.leave_with_work(work, after))
+  const auto leaves_work = [&](const auto& velocity_of) {
+    return leave_with_work(mechanisms, bodies, work, velocity_of);
+  };
+  if (!leaves_work([&](std::size_t i) -> Twist<Dof> { return motion.W[i]; }) ||
+      !leaves_work([&](std::size_t i) -> Twist<Dof> { return motion.Wf[i]; }) || !leaves_work(after))
     return {};
 
   for (const Joint& joint : joints)

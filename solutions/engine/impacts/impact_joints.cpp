@@ -3,40 +3,24 @@
 #include <algorithm>
 
 #include "engine/constraints/joint_rows.hpp"
-#include "engine/support/disjoint_sets.hpp"
+#include "engine/constraints/mechanisms.hpp"
 
 namespace spook {
 
 template <int Dof>
 ImpactJoints<Dof>::ImpactJoints(const std::vector<Joint>& joints, const Bodies<Dof>& bodies) {
   if (joints.empty()) return;
-  const auto is_dynamic = [&](int body) { return !bodies.is_fixed(static_cast<std::size_t>(body)); };
-  DisjointSets sets(bodies.size());
-  for (const Joint& joint : joints)
-    if (is_dynamic(joint.i) && is_dynamic(joint.j)) sets.join(joint.i, joint.j);
-
-  mechanism_of_.assign(bodies.size(), -1);
-  std::vector<int> number_of(bodies.size(), -1);
-  for (const Joint& joint : joints) {
-    const int body = is_dynamic(joint.j) ? joint.j : joint.i;
-    if (!is_dynamic(body)) continue;
-    int& number = number_of[sets.find(body)];
-    if (number < 0) {
-      number = static_cast<int>(joints_.size());
-      joints_.emplace_back();
-    }
-    for (const int end : {joint.i, joint.j})
-      if (is_dynamic(end)) mechanism_of_[end] = number;
-    joints_[number].push_back(joint);
-  }
+  Mechanisms<Dof> mechanisms(joints, bodies);
+  joints_.resize(bodies.size());
+  for (const Joint& joint : joints) joints_[mechanisms.of(joint)].push_back(joint);
+  for (int body = 0; body < std::ssize(joints_); ++body) mechanism_of_.push_back(mechanisms.of(body));
 }
 
 template <int Dof>
 std::vector<Joint> ImpactJoints<Dof>::of(const std::vector<std::size_t>& bodies) const {
   if (joints_.empty()) return {};
   std::vector<int> numbers;
-  for (const std::size_t body : bodies)
-    if (mechanism_of_[body] >= 0) numbers.push_back(mechanism_of_[body]);
+  for (const std::size_t body : bodies) numbers.push_back(mechanism_of_[body]);
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::vector<Joint> all;

@@ -12,7 +12,7 @@
 
 namespace spook {
 
-/// The joints by mechanism: a mechanism is the dynamic bodies that joints connect.
+/// The joints by mechanism: engine/constraints/mechanisms.hpp.
 template <int Dof>
 class ImpactJoints {
  public:
@@ -23,7 +23,7 @@ class ImpactJoints {
 
  private:
   std::vector<std::vector<Joint>> joints_;  // of each mechanism
-  std::vector<int> mechanism_of_;           // of each body; none without joints, and -1 for a free body
+  std::vector<int> mechanism_of_;           // of each body; empty without joints
 };
 
 /// Returns the rows of the joints that take impulses, at the present positions of the bodies, with B = 0. Defaults of the
