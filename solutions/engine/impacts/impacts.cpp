@@ -134,7 +134,9 @@ class ImpactQueue {
       take_first(first);
       for (const std::size_t c : first) {
         if (!waiting_[c]) continue;
-        resolve(connected(c), *lateness_of(now(c), law_));
+        const double late = *lateness_of(now(c), law_);
+        const std::vector<std::size_t> together = connected(c);
+        resolve(together, may_go_back(together) ? late : 0);
       }
     }
     if (!impacts_.empty())
@@ -143,7 +145,8 @@ class ImpactQueue {
   }
 
  private:
-  static constexpr double one_time = 1e-6;  // of a step
+  static constexpr double one_time = 1e-6;      // of a step
+  static constexpr double small_overlap = 0.1;  // of the overlap of an impact
 
   Contact now(std::size_t c) const { return moved_on(contacts_[c], moved_, radii_); }
 
@@ -201,6 +204,21 @@ class ImpactQueue {
           together.push_back(other);
         });
     return together;
+  }
+
+  /// Tells whether the bodies of these impacts may go back to their time. If rows push a body out of another overlap, of
+  /// more than a tenth of the impact's, going back returns the body there, in each step anew.
+  bool may_go_back(const std::vector<std::size_t>& together) const {
+    double deepest = 0;
+    for (const std::size_t c : together) deepest = std::min(deepest, now(c).gap);
+    bool may = true;
+    for (const std::size_t c : together)
+      for (const int body : {contacts_[c].i, contacts_[c].j})
+        around(static_cast<std::size_t>(body), [&](std::size_t other) {
+          const Contact contact = now(other);
+          may = may && (contact.gap >= small_overlap * deepest || lateness_of(contact, law_));
+        });
+    return may;
   }
 
   /// Resolves impacts that were `late` ago [s]; none if one was too slow then.

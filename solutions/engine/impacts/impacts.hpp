@@ -7,10 +7,12 @@
 //                x += τ Δv                                                                   Eq. (7.16)
 //
 // After the correction the gap is open, e times the overlap. So the rows need not push the bodies apart, which would
-// add energy. In a chain of balls each impact passes the delay on. Impacts are resolved in the order of their times,
-// and those at one time together: engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres,
-// are those of the time of impact, so angular momentum is kept up to round-off. Free bodies keep their orientations. The
-// bodies of a mechanism also turn back and forward, so that their joints stay closed.
+// add energy. In a chain of balls each impact passes the delay on. There is no correction if one of the bodies has
+// another overlap, of more than a tenth of the impact's, from which rows push it: it would return there, in each step
+// anew. Impacts are resolved in the order of their times, and those at one time together:
+// engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres, are those of the time of impact,
+// so angular momentum is kept up to round-off. Free bodies keep their orientations. The bodies of a mechanism also
+// turn back and forward, so that their joints stay closed.
 #include <functional>
 #include <vector>
 
