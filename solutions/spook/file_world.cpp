@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/constraints/mechanisms.hpp"
+
 namespace spook {
 
 namespace {
@@ -317,25 +319,6 @@ Settings<Dof> settings_in(const Place& file) {
   return settings;
 }
 
-/// Returns for each body the least index of the bodies that joints connect it to, but not by way of static bodies.
-template <int Dof>
-static std::vector<int> joined(const World<Dof>& world) {
-  std::vector<int> first(world.bodies().size());
-  for (std::size_t i = 0; i < first.size(); ++i) first[i] = static_cast<int>(i);
-  const auto root = [&](int i) {
-    while (first[static_cast<std::size_t>(i)] != i) i = first[static_cast<std::size_t>(i)];
-    return i;
-  };
-  for (const Joint& joint : world.joints()) {
-    if (world.bodies().is_fixed(world.index(joint.i)) || world.bodies().is_fixed(world.index(joint.j)))
-      continue;
-    const int i = root(joint.i), j = root(joint.j);
-    first[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
-  }
-  for (std::size_t i = 0; i < first.size(); ++i) first[i] = root(static_cast<int>(i));
-  return first;
-}
-
 /// Points stop at planes alone. Throws std::invalid_argument for a body of points beside another such body, or a solid,
 /// that no joint connects to it: they would pass through each other.
 template <int Dof>
@@ -344,16 +327,16 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
   if (shapes.corners.empty()) return;
   if (const auto settings = file.find("settings"))
     if (const auto allowed = settings->find("points_pass"); allowed && allowed->flag()) return;
-  const std::vector<int> first = joined(world);
+  Mechanisms<Dof> mechanisms(world.joints(), world.bodies());
   const auto refuse = [&](int points, int other) {
-    if (first[static_cast<std::size_t>(points)] == first[static_cast<std::size_t>(other)]) return;
-    if (shapes.exclusions.excludes(points, other)) return;
+    if (mechanisms.of(points) == mechanisms.of(other) || shapes.exclusions.excludes(points, other)) return;
     const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
     throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
                                 ": give it another shape, or set settings.points_pass");
   };
   for (const Corners& points : shapes.corners) {
-    refuse(points.body, shapes.corners.front().body);
+    for (const Corners& others : shapes.corners)
+      if (others.body < points.body) refuse(points.body, others.body);
     for (const Solid& solid : shapes.solids) refuse(points.body, solid.body);
   }
 }

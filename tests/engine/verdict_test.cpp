@@ -50,6 +50,37 @@ TEST(Verdict, SmallAndThinBodiesThatEndRightAreSound) {
       }
 }
 
+TEST(Verdict, ABodyOfPointsThatPassesThroughAnotherIsNamed) {
+  // A tetrahedron of points falls 2 m in a second past what a column has: a ball, a capsule, a box, or points.
+  const std::vector<Vec3> points = {{0.1, 0.1, 0.1}, {-0.1, -0.1, 0.1}, {-0.1, 0.1, -0.1}, {0.1, -0.1, -0.1}};
+  const Body<6> faller{.x = Vec3(0, 0, 2), .mass = 1, .principal = Vec3::Ones(), .corners = points};
+  const auto noted = [&](const Body<6>& target, double aside, bool excluded = false, bool tied = false) {
+    World<6> world({.gravity = Vec3::Zero()});
+    Body<6> beside = target;
+    beside.x = Vec3(aside, 0, 1);
+    const int i = world.add(beside);
+    Body<6> body = faller;
+    body.v = Vec3(0, 0, -2);
+    const int j = world.add(body);
+    if (excluded) world.exclude_contacts({i, j});
+    if (tied) world.add_joint({.i = i, .j = j, .length = 3, .kind = JointKind::rope});
+    return judged(world, 1.0 / 60, 1).note;
+  };
+  const Body<6> targets[] = {{.mass = 1, .radius = 0.15},
+                             {.mass = 1, .radius = 0.15, .half_length = 0.2},
+                             {.mass = 1, .half_sides = Vec3(0.15, 0.15, 0.15)},
+                             {.mass = 1, .principal = Vec3::Ones(), .corners = points}};
+  for (const Body<6>& target : targets) {
+    // Of two bodies of points, either may be named.
+    for (const double aside : {0.0, 0.02})
+      EXPECT_EQ(noted(target, aside).find(" passes through body "), std::string("body 1").size())
+          << noted(target, aside);
+    EXPECT_EQ(noted(target, 0.5), "") << "it passes by";
+    EXPECT_EQ(noted(target, 0.02, true), "") << "a list excludes them from contacts";
+    EXPECT_EQ(noted(target, 0.02, false, true), "") << "a rope connects them";
+  }
+}
+
 TEST(Verdict, ABodyThatIsTooFastForAStepIsNamed) {
   // A wall of 20 mm, and a ball of 50 mm in radius: contacts see 60 mm.
   const auto fired = [](double speed, double h, bool at_wall) {

@@ -7,11 +7,13 @@
 #include <sstream>
 
 #include "engine/bodies/conserved_quantities.hpp"
+#include "engine/diagnostics/passing_points.hpp"
 #include "engine/diagnostics/tunnelling.hpp"
 
 namespace spook {
 
 static constexpr double share_unsolved = 1e-2;  // of the right-hand side
+static constexpr double hopeless = 1e4;  // estimated error over residual of a solver that does not converge
 static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
 static constexpr double share_gained = 0.1;       // of the energy in the scene
@@ -171,6 +173,11 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   const double left = solved.converged ? residual : estimated_error(residual, solved.history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
+  if (left > hopeless * residual)
+    return find(State::unsolved, world,
+                "the solver does not converge: its residual stays at " + text(residual) +
+                    " m/s, where the right-hand side is " + text(asked) +
+                    " m/s; a shorter step, or another solver, may help");
   find(State::unsolved, world,
        "the solver's error is " + text(left) + " m/s, where the right-hand side is " + text(asked) +
            " m/s: more sweeps, or the direct solver, would reduce it");
@@ -236,6 +243,9 @@ void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
          " m in a step, against body " + std::to_string(tunnelling->other) +
          ", and contacts are found within " + text(tunnelling->detected_within) + " m: steps shorter than " +
          text(tunnelling->longest_step) + " of this one would find the contact");
+  if (const auto passing = find_passing_points(world, shapes_))
+    note("body " + std::to_string(passing->first) + " passes through body " + std::to_string(passing->second) +
+         ": its shape is points, which collide with planes only; another shape would be stopped");
 }
 
 template <int Dof>

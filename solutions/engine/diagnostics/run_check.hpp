@@ -16,6 +16,7 @@
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
 //                  is too small for this load
 //                - a body moves through another, or into it, by more than the sizes of both in one step: tunnelling.hpp
+//                - a body of points passes through another body: passing_points.hpp
 //                - bodies overlap by more than the thickness of one when their contact is found, and did not before
 //                - joints removed more energy than may be added, and nothing else in the world removes energy
 //                - nothing can move

@@ -1,0 +1,93 @@
+#include "engine/diagnostics/passing_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/constraints/mechanisms.hpp"
+
+namespace spook {
+
+static constexpr double share_inside = 0.99;  // of a body's extent; a point farther out may just touch
+
+static bool is_inside(const Vec3& point, const Eigen::AlignedBox3d& box) {
+  const Vec3 from_centre = (point - box.center()).cwiseAbs();
+  return (from_centre.array() < share_inside / 2 * box.sizes().array()).all();
+}
+
+static Eigen::AlignedBox3d box_around(const std::vector<Vec3>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : points) box.extend(point);
+  return box;
+}
+
+/// Tells whether a point, in the shape's axes, is inside the shape.
+static bool is_inside(const Vec3& point, const Shape& shape) {
+  return match(
+      shape, [](const NoShape&) { return false; },
+      [&](const Sphere& sphere) { return point.norm() < share_inside * sphere.radius; },
+      [&](const Capsule& capsule) {
+        const double z = std::clamp(point.z(), -capsule.half_length, capsule.half_length);
+        return (point - Vec3(0, 0, z)).norm() < share_inside * capsule.radius;
+      },
+      [&](const Cuboid& box) { return is_inside(point, Eigen::AlignedBox3d(-box.half_sides, box.half_sides)); },
+      [&](const PointSet& set) { return is_inside(point, box_around(set.points)); });
+}
+
+/// Tells whether body i consists of points, and one of them or their middle is inside body j.
+template <int Dof>
+static bool is_inside(const Bodies<Dof>& bodies, const std::vector<Shape>& shapes, std::size_t i,
+                      std::size_t j) {
+  const auto* set = std::get_if<PointSet>(&shapes[i]);
+  if (!set) return false;
+  const auto point_is_inside = [&](const Vec3& point) {
+    Vec3 from_j = bodies.x[i] - bodies.x[j];
+    if constexpr (Dof == 6) {
+      const auto& q = bodies.orientations.q;
+      from_j = q[j].conjugate() * (from_j + q[i] * point);
+    } else {
+      from_j += point;
+    }
+    return is_inside(from_j, shapes[j]);
+  };
+  return point_is_inside(box_around(set->points).center()) ||
+         std::any_of(set->points.begin(), set->points.end(), point_is_inside);
+}
+
+/// Returns the radius of a ball around the centre of a body that has the whole body in it [m]; 0 without a shape.
+static double reach(const Shape& shape) {
+  return match(
+      shape, [](const NoShape&) { return 0.0; }, [](const Sphere& sphere) { return sphere.radius; },
+      [](const Capsule& capsule) { return capsule.radius + capsule.half_length; },
+      [](const Cuboid& box) { return box.half_sides.norm(); },
+      [&](const PointSet&) -> double { return size_of(shape); });
+}
+
+template <int Dof>
+std::optional<std::pair<int, int>> find_passing_points(const World<Dof>& world,
+                                                       const std::vector<Shape>& shapes) {
+  const Shapes& all = world.shapes();
+  if (all.corners.empty() || all.corners.size() + all.solids.size() < 2) return {};
+  const Bodies<Dof>& bodies = world.bodies();
+  std::vector<int> numbers;
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Vec3 far = Vec3::Constant(reach(shapes[i]));
+    if (far.isZero(0)) continue;
+    numbers.push_back(static_cast<int>(i));
+    bounds.push_back({bodies.x[i] - far, bodies.x[i] + far});
+  }
+  Mechanisms<Dof> mechanisms(world.joints(), bodies);
+  for (const Pair& pair : sweep_and_prune(bounds)) {
+    const int i = numbers[pair.first], j = numbers[pair.second];
+    if (mechanisms.of(i) == mechanisms.of(j) || all.exclusions.excludes(i, j)) continue;
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    if (is_inside(bodies, shapes, a, b)) return std::pair{i, j};
+    if (is_inside(bodies, shapes, b, a)) return std::pair{j, i};
+  }
+  return {};
+}
+
+template std::optional<std::pair<int, int>> find_passing_points<3>(const World<3>&, const std::vector<Shape>&);
+template std::optional<std::pair<int, int>> find_passing_points<6>(const World<6>&, const std::vector<Shape>&);
+
+}  // namespace spook
