@@ -80,8 +80,10 @@ static void refuse_beside_soft(const TypedRun& typed) {
 
 /// Rejects options that choose another solver.
 static void refuse_beside_accuracy(const TypedRun& typed) {
-  refuse_given({{"solver", typed.solver.has_value()},
-                {"row-order", typed.row_order.has_value()},
+  if (typed.solver && !find_solver<3>(*typed.solver).make_to)
+    throw std::invalid_argument("accuracy needs the solver auto or geometric_stiffness, but solver is " +
+                                *typed.solver + ": leave one of them out");
+  refuse_given({{"row-order", typed.row_order.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()},
                 {"integrator-order", typed.integrator_order.has_value()}},
                "has no effect with accuracy, which is that of the solver auto: leave one of them out");

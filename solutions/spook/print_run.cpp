@@ -148,7 +148,9 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
                                  ? Json(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps))
                                  : Json();
 
-  Json object = {{"scene", scene.name}, {"parameters", to_json(parameters)}};
+  Json object = {{"program", {{"version", SPOOK_VERSION}, {"compiler", SPOOK_COMPILER}}},
+                 {"scene", scene.name},
+                 {"parameters", to_json(parameters)}};
   object.update(to_json(settings.method, scene.solves));
   object.update({
       {"steps", result.steps},

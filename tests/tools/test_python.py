@@ -785,9 +785,11 @@ class SoftSteps(WithModule):
                       {"warm_start": True}, {"max_parts": 1}):
             self.refused("solver, friction_model, iterations, tolerance, warm_start and max_parts have no effect with "
                          "soft_steps: leave them out", spook.World, soft_steps=4, **given)
-        for given in ({"soft_steps": 4}, {"solver": "direct"}):
-            self.refused("solver and soft_steps must be left out with accuracy, which auto has", spook.PointWorld,
-                         accuracy=1e-3, **given)
+        self.refused("accuracy has no effect with soft_steps: leave one of them out", spook.World, accuracy=1e-3,
+                     soft_steps=4)
+        self.refused("accuracy needs the solver auto or geometric_stiffness, but solver is direct", spook.PointWorld,
+                     accuracy=1e-3, solver="direct")
+        spook.PointWorld(accuracy=1e-3, solver="geometric_stiffness")
         self.assertEqual(spook.scene("stack").run(accuracy=0.01).options, {"accuracy": 0.01})
 
 

@@ -166,6 +166,8 @@ class Refusals(unittest.TestCase):
         found = {accuracy: json.loads(spook(*words.split(), accuracy).stdout) for accuracy in ("1e-9", "0.1")}
         self.assertEqual([found[accuracy]["accuracy"] for accuracy in found], [1e-9, 0.1])
         self.assertEqual({found[accuracy]["solver"] for accuracy in found}, {"auto"})
+        named = json.loads(spook(*words.split(), "0.1", "--solver", "auto").stdout)
+        self.assertEqual((named["accuracy"], named["row_updates"]), (0.1, found["0.1"]["row_updates"]))
         said = " ".join(spook("run", "stack", "--accuracy", "1e-9", "-v").stdout.split())
         self.assertIn("or to 1e-09 of the right-hand side", said)
         for accuracy in ["0", "-1", "1.5", "nan", "high"]:
@@ -238,6 +240,8 @@ class Runs(unittest.TestCase):
         done = spook(*call)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         result = json.loads(done.stdout)
+        self.assertRegex(result["program"]["version"], r"^\d+\.\d+\.\d+$")
+        self.assertRegex(result["program"]["compiler"], r"^\w+ \d+\.")
         self.assertEqual(result["scene"], "orbit")
         self.assertEqual(
             result["parameters"], {"m": 1, "eccentricity": 0.25, "axis": 1, "gm": 1, "start": "unshifted"}

@@ -58,8 +58,11 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
     throw std::invalid_argument("soft_steps must be from 1 to 1024, but is " + std::to_string(*soft_steps));
   Method method{.h = 1, .solver = solver};
   if (model) method.friction_model = find_friction_model(*model);
-  if (accuracy && (solver != "auto" || soft_steps))
-    throw std::invalid_argument("solver and soft_steps must be left out with accuracy, which auto has");
+  if (accuracy && !find_solver<Dof>(solver).make_to)
+    throw std::invalid_argument("accuracy needs the solver auto or geometric_stiffness, but solver is " +
+                                solver);
+  if (accuracy && soft_steps)
+    throw std::invalid_argument("accuracy has no effect with soft_steps: leave one of them out");
   method.accuracy = accuracy;
   const Settings<Dof> standard;
   if (soft_steps && (solver != "auto" || model || iterations != standard.solver_limits.max_sweeps ||
