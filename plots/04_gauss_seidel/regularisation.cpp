@@ -83,7 +83,7 @@ Experiment experiment(Size size) {
     for (std::size_t n = 0; n < found.size(); ++n)
       off = std::max(off, (std::abs(found[n] - predicted[n]) - 1) / predicted[n]);
     claims.at_most(
-        "the number of sweeps is that of Eq. (4.10) for every mass ratio and Σ, within one sweep plus 1e-4 of "
+        "the number of sweeps is that of Eq. (4.11) for every mass ratio and Σ, within one sweep plus 1e-4 of "
         "the number",
         off, 1e-4);
     const auto soft = ratios.where("Sigma", 0.01).numbers("sweeps or impulse");
