@@ -190,7 +190,7 @@ Experiment experiment(Size size) {
     double off = 0;
     for (const double tension : tensions) off = larger(off, std::abs(tension - 1));
     claims.at_most("the top link of every wire carries the whole weight of the wire, to 1e-6", off, 1e-6);
-    claims.at_most("a link takes less than 1.5 kilobytes of memory, however long the wire is",
+    claims.at_most("a link takes less than 1.5 kilobytes of memory, whatever their number",
                    largest_of("memory", "link"), 1500);
     claims.at_most("a ball takes less than 1.5 kilobytes", largest_of("memory", "ball"), 1500);
     claims.at_most("a contact with friction takes less than 2.5 kilobytes", largest_of("memory", "contact"),
