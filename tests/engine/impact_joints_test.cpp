@@ -127,5 +127,39 @@ TEST(ImpactJoints, ASoftSpringTakesNoImpulse) {
   EXPECT_NEAR(world.v(ball).z(), 2, 1e-3);
 }
 
+// Five balls that welds connect land flat: their five impacts are of one time, and one problem. One after the other they
+// would turn the row, and the impulse at its end would make the next ball separate before its turn.
+TEST(ImpactJoints, ARowOfWeldedBallsThatLandsFlatStaysFlat) {
+  for (const double h : {1.0 / 60, 1.0 / 240})
+    for (const double e : {0.2, 0.5, 1.0}) {
+      SCOPED_TRACE(::testing::Message() << "h " << h << ", e " << e);
+      World<6> world = bouncy(e, 0.3);
+      world.add_plane(Vec3::UnitZ(), 0);
+      std::vector<int> row;
+      for (int n = 0; n < 5; ++n) {
+        row.push_back(world.add({.x = Vec3(0.2 * n, 0, 0.6), .mass = 1, .radius = 0.1}));
+        if (n == 0) continue;
+        const int before = row[static_cast<std::size_t>(n) - 1];
+        world.add_joint({.i = before,
+                         .j = row.back(),
+                         .p_i = Vec3(0.1, 0, 0),
+                         .p_j = Vec3(-0.1, 0, 0),
+                         .kind = JointKind::weld});
+        world.exclude_contacts({before, row.back()});
+      }
+      while (world.report().impacts == 0 && world.time() < 1) world.step(h);
+      const double fall = std::sqrt(2 * 9.81 * 0.5);
+      double least = infinity, most = 0;
+      for (const int ball : row) {
+        least = std::min(least, world.v(ball).z());
+        most = std::max(most, world.v(ball).z());
+      }
+      EXPECT_NEAR(least, e * fall, 2 * 9.81 * h) << "gravity acts in the step, too";
+      EXPECT_LE(most - least, 1e-6 * fall);
+      for (const Impact& impact : world.impacts()) EXPECT_GT(impact.speed, 0);
+      EXPECT_EQ(world.report().impacts, 5);
+    }
+}
+
 }  // namespace
 }  // namespace spook

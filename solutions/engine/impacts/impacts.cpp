@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/impacts/impact_joints.hpp"
+#include "engine/impacts/late_contact.hpp"
 #include "engine/impacts/simultaneous_impacts.hpp"
 
 namespace spook {
@@ -24,75 +25,6 @@ double separation_speed(const Contact& contact, const Motion<Dof>& motion) {
 }
 
 namespace {
-
-template <int Dof>
-Twist<Dof> row_of_i(const Contact& contact) {
-  return contact_jacobian(contact).Gi.template head<Dof>();
-}
-template <int Dof>
-Twist<Dof> row_of_j(const Contact& contact) {
-  return contact_jacobian(contact).Gj.template head<Dof>();
-}
-
-/// Returns the radius of each sphere among the bodies; 0 for all others [m].
-std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
-  std::vector<double> radii(bodies, 0);
-  for (const Solid& solid : shapes.solids)
-    if (const auto* sphere = std::get_if<Sphere>(&solid.shape)) radii[solid.body] = sphere->radius;
-  return radii;
-}
-
-/// Returns the contact as it was `late` ago [s], with both lever arms to one point, and the normal of two spheres. The
-/// point is on the surface of a sphere, and midway for other shapes.
-template <int Dof>
-Contact before(Contact contact, double late, const std::vector<double>& radii, const Bodies<Dof>& bodies) {
-  const auto back = [&](int body) -> Vec3 { return -late * bodies.motion.W[body].template head<3>(); };
-  const Vec3 back_i = back(contact.i), back_j = back(contact.j);
-  const double radius_i = radii[contact.i], radius_j = radii[contact.j];
-  if (radius_i > 0 && radius_j > 0) {
-    const Vec3 apart = (bodies.x[contact.j] + back_j) - (bodies.x[contact.i] + back_i);
-    contact.n = apart.normalized();
-    contact.r_i = radius_i / (radius_i + radius_j) * apart;
-    contact.r_j = contact.r_i - apart;
-  } else if (radius_j > 0) {
-    contact.r_i += back_j - back_i;
-  } else if (radius_i > 0) {
-    contact.r_j += back_i - back_j;
-  } else {
-    contact.r_i += (back_j - back_i) / 2;
-    contact.r_j += (back_i - back_j) / 2;
-  }
-  return contact;
-}
-
-/// Returns the time since the gap was 0, Eq. (7.15) [s]. The delay of a chain of impacts adds to that of the pair: at
-/// most two steps.
-template <int Dof>
-double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>& motion) {
-  const double a =
-      (row_of_i<Dof>(contact).dot(motion.Wf[contact.i]) + row_of_j<Dof>(contact).dot(motion.Wf[contact.j])) / h;
-  const double square = std::max(0.0, u_n * u_n - 2 * a * contact.gap);
-  return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, 2 * h);
-}
-
-/// Displacements of bodies since their contacts were found.
-struct Displacements {
-  std::vector<Vec3> by, turned;  ///< of the centre [m]; about it [rad]
-
-  Vec3 at(int body, const Vec3& r) const { return by[body] + turned[body].cross(r); }
-};
-
-/// Updates a contact after its bodies have moved: its two lever arms meet in one point again, and that of a sphere
-/// stays.
-Contact moved_on(Contact contact, const Displacements& moved, const std::vector<double>& radii) {
-  contact.gap += contact.n.dot(moved.at(contact.j, contact.r_j) - moved.at(contact.i, contact.r_i));
-  const Vec3 apart = moved.by[contact.j] - moved.by[contact.i];
-  if (radii[contact.j] > 0)
-    contact.r_i += apart;
-  else
-    contact.r_j -= apart;
-  return contact;
-}
 
 /// A closed contact whose bodies approach, and the time since its gap was 0.
 struct Approach {
@@ -115,7 +47,7 @@ class ImpactQueue {
     // A contact that touches up to round-off takes part in simultaneous impacts.
     touching_gap_ = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
     for (std::size_t c = 0; c < contacts.size(); ++c)
-      if (const auto late = lateness_of(contacts[c], law)) queue_.push({*late, c, 0});
+      if (const auto late = lateness_of(contacts[c])) queue_.push({*late, c, 0});
     if (queue_.empty()) return;
     joints_.emplace(joints, bodies);
     radii_ = radii_of(shapes, bodies.size());
@@ -134,9 +66,8 @@ class ImpactQueue {
       take_first(first);
       for (const std::size_t c : first) {
         if (!waiting_[c]) continue;
-        const double late = *lateness_of(now(c), law_);
-        const std::vector<std::size_t> together = connected(c);
-        resolve(together, may_go_back(together) ? late : 0);
+        const double late = *approach(c);
+        resolve(connected(c), late);
       }
     }
     if (!impacts_.empty())
@@ -151,11 +82,18 @@ class ImpactQueue {
   Contact now(std::size_t c) const { return moved_on(contacts_[c], moved_, radii_); }
 
   /// Returns the delay of an impact at this contact [s]; nothing if there is none.
-  std::optional<double> lateness_of(const Contact& contact, const LawOf& law) const {
+  std::optional<double> lateness_of(const Contact& contact) const {
     if (contact.gap > touching_gap_) return {};
     const double u_n = separation_speed(contact, bodies_.motion);
-    if (u_n >= 0 || u_n >= -law(contact).threshold) return {};
+    if (u_n >= 0 || u_n >= -law_(contact).threshold) return {};
     return lateness(contact, u_n, h_, bodies_.motion);
+  }
+
+  /// Returns the delay of the next impact of contact c [s]; nothing if there is none.
+  std::optional<double> approach(std::size_t c) const {
+    const Contact contact = now(c);
+    const std::optional<double> late = lateness_of(contact);
+    return late && impacts_of_[c] < law_(contact).max_passes ? late : std::nullopt;
   }
 
   void list_contacts_of_bodies() {
@@ -192,56 +130,73 @@ class ImpactQueue {
     }
   }
 
-  /// Returns contact c, and the waiting contacts that are connected with it by dynamic bodies. They no longer wait.
+  /// Returns contact c, and the waiting contacts that dynamic bodies and their joints connect with it. They no longer
+  /// wait.
   std::vector<std::size_t> connected(std::size_t c) {
     std::vector<std::size_t> together{c};
     waiting_[c] = false;
-    for (std::size_t n = 0; n < together.size(); ++n)
-      for (const int body : {contacts_[together[n]].i, contacts_[together[n]].j})
-        around(static_cast<std::size_t>(body), [&](std::size_t other) {
-          if (!waiting_[other]) return;
-          waiting_[other] = false;
-          together.push_back(other);
-        });
+    const auto take_around = [&](int body) {
+      around(static_cast<std::size_t>(body), [&](std::size_t other) {
+        if (!waiting_[other]) return;
+        waiting_[other] = false;
+        together.push_back(other);
+      });
+    };
+    std::vector<std::size_t> bodies;
+    for (std::size_t n = 0; n < together.size(); ++n) {
+      bodies.clear();
+      add_dynamic({contacts_[together[n]].i, contacts_[together[n]].j}, bodies);
+      for (const std::size_t body : bodies) take_around(static_cast<int>(body));
+      for (const Joint& joint : joints_->of(bodies)) take_around(joint.i), take_around(joint.j);
+    }
     return together;
   }
 
-  /// Tells whether the bodies of these impacts may go back to their time. If rows push a body out of another overlap, of
-  /// more than a tenth of the impact's, going back returns the body there, in each step anew.
-  bool may_go_back(const std::vector<std::size_t>& together) const {
-    double deepest = 0;
-    for (const std::size_t c : together) deepest = std::min(deepest, now(c).gap);
-    bool may = true;
-    for (const std::size_t c : together)
-      for (const int body : {contacts_[c].i, contacts_[c].j})
-        around(static_cast<std::size_t>(body), [&](std::size_t other) {
-          const Contact contact = now(other);
-          may = may && (contact.gap >= small_overlap * deepest || lateness_of(contact, law_));
-        });
-    return may;
-  }
-
-  /// Resolves impacts that were `late` ago [s]; none if one was too slow then.
+  /// Resolves impacts that were `late` ago [s]; none if one was too slow then. If going back by that time closes another
+  /// overlap, out of which rows push its bodies, they would return there in each step. Then the bodies stay in place.
   void resolve(const std::vector<std::size_t>& together, double late) {
-    Motion<Dof>& motion = bodies_.motion;
-    std::vector<Contact> contacts;
-    std::vector<ImpactLaw> laws;
     std::vector<std::size_t> moving;  // dynamic bodies
-    for (const std::size_t c : together) {
-      const Contact contact = now(c);
-      contacts.push_back(before(contact, late, radii_, bodies_));
-      laws.push_back(law_(contact));
-      laws.back().max_passes = 1;
-      add_dynamic({contact.i, contact.j}, moving);
-    }
+    for (const std::size_t c : together) add_dynamic({contacts_[c].i, contacts_[c].j}, moving);
     const std::vector<Joint> joints = joints_->of(moving);
     for (const Joint& joint : joints) add_dynamic({joint.i, joint.j}, moving);
     std::sort(moving.begin(), moving.end());
     moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
 
-    std::vector<Pose> poses;
+    std::vector<Start> starts;
+    for (const std::size_t body : moving) starts.push_back(start_of(body));
+    const std::vector<Contact> others = other_overlaps(together, moving);
+    std::vector<Impact> impacts = resolve_at(late, together, moving, joints);
+    const std::vector<Way> ways = ways_since(starts, moving);
+    if (late > 0 && closes(others, moving, ways)) {
+      for (std::size_t n = 0; n < moving.size(); ++n) put_back(moving[n], starts[n]);
+      impacts = resolve_at(0, together, moving, joints);
+    } else {
+      for (std::size_t n = 0; n < moving.size(); ++n) {
+        moved_.by[moving[n]] += ways[n].by;
+        moved_.turned[moving[n]] += ways[n].turned;
+      }
+    }
+    if (impacts.empty()) return;
+    impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
+    for (const std::size_t c : together) ++impacts_of_[c];
+    for (const std::size_t body : moving) around(body, [&](std::size_t other) { look_again(other); });
+  }
+
+  /// Resolves impacts with the velocities of a time `late` ago [s], and moves the bodies by Eq. (7.16). Returns the
+  /// impacts.
+  std::vector<Impact> resolve_at(double late, const std::vector<std::size_t>& together,
+                                 const std::vector<std::size_t>& moving, const std::vector<Joint>& joints) {
+    Motion<Dof>& motion = bodies_.motion;
+    std::vector<Contact> contacts;
+    std::vector<ImpactLaw> laws;
+    for (const std::size_t c : together) {
+      const Contact contact = now(c);
+      contacts.push_back(contact_before(contact, late, radii_, bodies_));
+      laws.push_back(law_(contact));
+      laws.back().max_passes = 1;
+    }
     if (!joints.empty())
-      for (const std::size_t body : moving) poses.push_back(carry(body, -late));
+      for (const std::size_t body : moving) carry(body, -late);
     const std::vector<Row<Dof>> joint_rows = impact_rows(joints, h_, bodies_);
     std::vector<Twist<Dof>> W;
     for (const std::size_t body : moving) W.push_back(motion.W[body] -= late / h_ * motion.Wf[body]);
@@ -256,42 +211,91 @@ class ImpactQueue {
       const std::size_t body = moving[n];
       const Vec3 by = late * (motion.W[body] - W[n]).template head<3>();  // Eq. (7.16)
       motion.W[body] += late / h_ * motion.Wf[body];
-      if (joints.empty()) {
+      if (joints.empty())
         bodies_.x[body] += by;
-        moved_.by[body] += by;
-      } else {
+      else
         carry(body, late);
-        note_moved(body, poses[n]);
-      }
     }
-    if (impacts.empty()) return;
-    impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
-    for (const std::size_t c : together) ++impacts_of_[c];
-    for (const std::size_t body : moving) around(body, [&](std::size_t other) { look_again(other); });
+    return impacts;
   }
 
-  struct Pose {
+  /// Returns the overlaps of these bodies that are more than a tenth of that of the impacts, and have no impact.
+  std::vector<Contact> other_overlaps(const std::vector<std::size_t>& together,
+                                      const std::vector<std::size_t>& moving) const {
+    double deepest = 0;
+    for (const std::size_t c : together) deepest = std::min(deepest, now(c).gap);
+    std::vector<Contact> others;
+    for (const std::size_t body : moving)
+      around(body, [&](std::size_t other) {
+        const Contact contact = now(other);
+        if (contact.gap < small_overlap * deepest && !approach(other)) others.push_back(contact);
+      });
+    return others;
+  }
+
+  /// Where a body was, and how it moved, before impacts were resolved.
+  struct Start {
     Vec3 x;
     Quat q = Quat::Identity();
+    Twist<Dof> W;
   };
 
-  /// Moves a body of a mechanism freely for a time [s], which may be negative. Returns its pose before.
-  Pose carry(std::size_t body, double time) {
-    Pose pose{.x = bodies_.x[body]};
-    if constexpr (Dof == 6) pose.q = bodies_.orientations.q[body];
+  /// A displacement: of the centre [m], and about it [rad].
+  struct Way {
+    Vec3 by, turned = Vec3::Zero();
+  };
+
+  Start start_of(std::size_t body) const {
+    Start start{.x = bodies_.x[body], .W = bodies_.motion.W[body]};
+    if constexpr (Dof == 6) start.q = bodies_.orientations.q[body];
+    return start;
+  }
+
+  void put_back(std::size_t body, const Start& start) {
+    bodies_.x[body] = start.x;
+    bodies_.motion.W[body] = start.W;
+    if constexpr (Dof == 6) {
+      bodies_.orientations.q[body] = start.q;
+      bodies_.motion.inverse_mass[body].angular = bodies_.orientations.inverse_inertia(body);
+    }
+  }
+
+  std::vector<Way> ways_since(const std::vector<Start>& starts, const std::vector<std::size_t>& moving) const {
+    std::vector<Way> ways;
+    for (std::size_t n = 0; n < moving.size(); ++n) {
+      Way way{.by = bodies_.x[moving[n]] - starts[n].x};
+      if constexpr (Dof == 6) {
+        const Quat& q = bodies_.orientations.q[moving[n]];
+        if (q.coeffs() != starts[n].q.coeffs()) {
+          const Eigen::AngleAxisd turned(q * starts[n].q.conjugate());
+          way.turned = turned.angle() * turned.axis();
+        }
+      }
+      ways.push_back(way);
+    }
+    return ways;
+  }
+
+  /// Tells whether the ways of the bodies close one of these overlaps by more than a tenth of it.
+  bool closes(const std::vector<Contact>& overlaps, const std::vector<std::size_t>& moving,
+              const std::vector<Way>& ways) const {
+    const auto way_of = [&](int body, const Vec3& r) -> Vec3 {
+      const auto at = std::lower_bound(moving.begin(), moving.end(), static_cast<std::size_t>(body));
+      if (at == moving.end() || *at != static_cast<std::size_t>(body)) return Vec3::Zero();
+      const Way& way = ways[static_cast<std::size_t>(at - moving.begin())];
+      return way.by + way.turned.cross(r);
+    };
+    return std::any_of(overlaps.begin(), overlaps.end(), [&](const Contact& contact) {
+      return contact.n.dot(way_of(contact.j, contact.r_j) - way_of(contact.i, contact.r_i)) <
+             small_overlap * contact.gap;
+    });
+  }
+
+  /// Moves a body of a mechanism freely for a time [s], which may be negative.
+  void carry(std::size_t body, double time) {
     move_freely_(body, time);
     if constexpr (Dof == 6)
       bodies_.motion.inverse_mass[body].angular = bodies_.orientations.inverse_inertia(body);
-    return pose;
-  }
-
-  /// Adds the way since a pose to the displacements.
-  void note_moved(std::size_t body, const Pose& since) {
-    moved_.by[body] += bodies_.x[body] - since.x;
-    if constexpr (Dof == 6) {
-      const Eigen::AngleAxisd turned(bodies_.orientations.q[body] * since.q.conjugate());
-      moved_.turned[body] += turned.angle() * turned.axis();
-    }
   }
 
   void add_dynamic(std::initializer_list<int> bodies, std::vector<std::size_t>& moving) const {
@@ -299,11 +303,11 @@ class ImpactQueue {
       if (!bodies_.is_fixed(static_cast<std::size_t>(body))) moving.push_back(static_cast<std::size_t>(body));
   }
 
+  /// Puts a contact into the queue, or anew, after its bodies have moved.
   void look_again(std::size_t c) {
     ++version_[c];
-    const Contact contact = now(c);
-    const auto late = lateness_of(contact, law_);
-    if (late && impacts_of_[c] < law_(contact).max_passes) queue_.push({*late, c, version_[c]});
+    waiting_[c] = false;
+    if (const auto late = approach(c)) queue_.push({*late, c, version_[c]});
   }
 
   std::vector<Contact>& contacts_;

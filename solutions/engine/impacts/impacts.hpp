@@ -7,12 +7,12 @@
 //                x += τ Δv                                                                   Eq. (7.16)
 //
 // After the correction the gap is open, e times the overlap. So the rows need not push the bodies apart, which would
-// add energy. In a chain of balls each impact passes the delay on. There is no correction if one of the bodies has
-// another overlap, of more than a tenth of the impact's, from which rows push it: it would return there, in each step
-// anew. Impacts are resolved in the order of their times, and those at one time together:
-// engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres, are those of the time of impact,
-// so angular momentum is kept up to round-off. Free bodies keep their orientations. The bodies of a mechanism also
-// turn back and forward, so that their joints stay closed.
+// add energy. In a chain of balls each impact passes the delay on. An impact is resolved with τ = 0 if its correction
+// would close another overlap, out of which rows push a body: the body would return there in each step. Impacts are
+// resolved in the order of their times, and those at one time together: engine/impacts/simultaneous_impacts.hpp. Lever
+// arms, and the normal of two spheres, are those of the time of impact, so angular momentum is kept up to round-off.
+// Free bodies keep their orientations. The bodies of a mechanism also turn back and forward, so that their joints stay
+// closed.
 #include <functional>
 #include <vector>
 
@@ -39,7 +39,7 @@ template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
 /// Resolves the impacts of all closed contacts, the longest delay first: Eq. (7.1)-(7.16). Contacts whose delays differ
-/// by at most a millionth of a step, and that share a dynamic body, are resolved together: Eq. (7.18). Joints of these
+/// by at most a millionth of a step, and that dynamic bodies or joints connect, are resolved together: Eq. (7.18). Joints of these
 /// bodies take their impulses, Eq. (7.19); their defaults must be filled in. `move_freely` moves their bodies. A contact
 /// has at most `max_passes` impacts. Updates velocities, positions and gaps. Returns the impacts.
 template <int Dof>
