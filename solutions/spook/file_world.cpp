@@ -329,7 +329,7 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
     if (const auto allowed = settings->find("points_pass"); allowed && allowed->flag()) return;
   Mechanisms<Dof> mechanisms(world.joints(), world.bodies());
   const auto refuse = [&](int points, int other) {
-    if (mechanisms.of(points) == mechanisms.of(other) || shapes.exclusions.excludes(points, other)) return;
+    if (mechanisms.connect(points, other) || shapes.exclusions.excludes(points, other)) return;
     const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
     throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
                                 ": give it another shape, or set settings.points_pass");

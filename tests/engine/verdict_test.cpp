@@ -81,6 +81,31 @@ TEST(Verdict, ABodyOfPointsThatPassesThroughAnotherIsNamed) {
   }
 }
 
+TEST(Verdict, ASmallBodyThatPassesThroughAPlankOfPointsIsNamed) {
+  // Far from the plank's corners and its centre.
+  std::vector<Vec3> corners;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-0.2, 0.2})
+      for (const double z : {-0.05, 0.05}) corners.emplace_back(x, y, z);
+  World<6> world({.gravity = Vec3::Zero()});
+  const int plank = world.add({.mass = 1, .principal = Vec3::Ones(), .corners = corners});
+  const int ball = world.add({.x = Vec3(0.4, 0, 1), .v = Vec3(0, 0, -2), .mass = 1, .radius = 0.02});
+  const std::string note = judged(world, 1.0 / 60, 1).note;
+  EXPECT_EQ(note.find("body " + std::to_string(plank) + " passes through body " + std::to_string(ball)), 0u)
+      << note;
+}
+
+TEST(Verdict, ADoorOfPointsMayTouchThePostOnWhichItHangs) {
+  World<6> world({.gravity = Vec3::Zero()});
+  const int post = world.add_fixed(Vec3::Zero(), Cuboid{Vec3(0.1, 0.1, 1)}, Quat::Identity());
+  const int door = world.add({.x = Vec3(0.5, 0, 0),
+                              .mass = 1,
+                              .principal = Vec3::Ones(),
+                              .corners = {{-0.5, 0, -1}, {0.5, 0, -1}, {-0.5, 0, 0.9}, {0.5, 0, 0.9}}});
+  world.add_joint({.i = post, .j = door, .p_j = Vec3(-0.5, 0, 0), .kind = JointKind::hinge});
+  EXPECT_EQ(judged(world, 1.0 / 60, 0.1).note, "");
+}
+
 TEST(Verdict, ABodyThatIsTooFastForAStepIsNamed) {
   // A wall of 20 mm, and a ball of 50 mm in radius: contacts see 60 mm.
   const auto fired = [](double speed, double h, bool at_wall) {

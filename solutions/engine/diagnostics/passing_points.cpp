@@ -33,12 +33,10 @@ static bool is_inside(const Vec3& point, const Shape& shape) {
       [&](const PointSet& set) { return is_inside(point, box_around(set.points)); });
 }
 
-/// Tells whether body i consists of points, and one of them or their middle is inside body j.
+/// Tells whether the centre of body i, or one of its points, is inside body j.
 template <int Dof>
-static bool is_inside(const Bodies<Dof>& bodies, const std::vector<Shape>& shapes, std::size_t i,
-                      std::size_t j) {
-  const auto* set = std::get_if<PointSet>(&shapes[i]);
-  if (!set) return false;
+static bool reaches_into(const Bodies<Dof>& bodies, const std::vector<Shape>& shapes, std::size_t i,
+                         std::size_t j) {
   const auto point_is_inside = [&](const Vec3& point) {
     Vec3 from_j = bodies.x[i] - bodies.x[j];
     if constexpr (Dof == 6) {
@@ -49,8 +47,10 @@ static bool is_inside(const Bodies<Dof>& bodies, const std::vector<Shape>& shape
     }
     return is_inside(from_j, shapes[j]);
   };
-  return point_is_inside(box_around(set->points).center()) ||
-         std::any_of(set->points.begin(), set->points.end(), point_is_inside);
+  if (const auto* set = std::get_if<PointSet>(&shapes[i]))
+    return point_is_inside(box_around(set->points).center()) ||
+           std::any_of(set->points.begin(), set->points.end(), point_is_inside);
+  return point_is_inside(Vec3::Zero());
 }
 
 /// Returns the radius of a ball around the centre of a body that has the whole body in it [m]; 0 without a shape.
@@ -76,13 +76,14 @@ std::optional<std::pair<int, int>> find_passing_points(const World<Dof>& world,
     numbers.push_back(static_cast<int>(i));
     bounds.push_back({bodies.x[i] - far, bodies.x[i] + far});
   }
+  const auto is_points = [&](std::size_t i) { return std::holds_alternative<PointSet>(shapes[i]); };
   Mechanisms<Dof> mechanisms(world.joints(), bodies);
   for (const Pair& pair : sweep_and_prune(bounds)) {
     const int i = numbers[pair.first], j = numbers[pair.second];
-    if (mechanisms.of(i) == mechanisms.of(j) || all.exclusions.excludes(i, j)) continue;
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    if (is_inside(bodies, shapes, a, b)) return std::pair{i, j};
-    if (is_inside(bodies, shapes, b, a)) return std::pair{j, i};
+    if ((!is_points(a) && !is_points(b)) || mechanisms.connect(i, j) || all.exclusions.excludes(i, j)) continue;
+    if (!reaches_into(bodies, shapes, a, b) && !reaches_into(bodies, shapes, b, a)) continue;
+    return is_points(a) ? std::pair{i, j} : std::pair{j, i};
   }
   return {};
 }

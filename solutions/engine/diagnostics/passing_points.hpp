@@ -1,8 +1,7 @@
 #pragma once
-// Bodies of points that pass through other bodies. Their points collide with planes only, so nothing stops them.
+// Bodies of points that pass through other bodies. Their points collide with planes only, so nothing else stops them.
 //
-//   passes    a point of one body, or the middle of its points, is inside the other body, by more than a hundredth of
-//             the other's size
+//   passes    a point or the centre of one body is inside the other one, by more than a hundredth of the other's size
 //   inside    of a body of points: inside the box around its points, along the body's axes
 //
 // Bodies that joints connect, and bodies that a list excludes from contacts, may overlap by intent.

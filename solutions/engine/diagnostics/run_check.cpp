@@ -6,14 +6,16 @@
 #include <limits>
 #include <sstream>
 
+#include "10_convergence/convergence.hpp"
 #include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/passing_points.hpp"
 #include "engine/diagnostics/tunnelling.hpp"
 
 namespace spook {
 
-static constexpr double share_unsolved = 1e-2;  // of the right-hand side
-static constexpr double hopeless = 1e4;  // estimated error over residual of a solver that does not converge
+static constexpr double share_unsolved = 1e-2;    // of the right-hand side
+static constexpr double stalled_rate = 1 - 1e-4;  // of a solver that does not converge
+static constexpr int least_history = 10;          // iterations that show its rate
 static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
 static constexpr double share_gained = 0.1;       // of the energy in the scene
@@ -173,7 +175,7 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   const double left = solved.converged ? residual : estimated_error(residual, solved.history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
-  if (left > hopeless * residual)
+  if (std::ssize(solved.history) >= least_history && observed_rate(solved.history) >= stalled_rate)
     return find(State::unsolved, world,
                 "the solver does not converge: its residual stays at " + text(residual) +
                     " m/s, where the right-hand side is " + text(asked) +
