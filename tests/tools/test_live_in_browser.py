@@ -97,7 +97,9 @@ class Live(unittest.TestCase):
         self.assertEqual(self.ask("[...document.querySelectorAll('#names .run')].map((node) => node.textContent)"),
                          ["solver gauss seidel", "solver direct"])
         self.browser.wait("return viewer.time > 0.15")
-        self.assertEqual(self.ask("document.getElementById('parting').textContent"), "")
+        # Ten sweeps a step leave the wire unsolved. Live runs do not say how far they part.
+        self.assertIn(self.ask("document.getElementById('parting').textContent"),
+                      ("", "solver gauss seidel: unsolved by now."))
         swept, solved = self.ask("viewer.runs.map(({ frames }) => frames.at(-1).error)")
         self.assertGreater(swept, 100 * solved)
         self.browser.wait("return viewer.runs.every(({ frames }, k) => frames.at(-1).time > 0)")
