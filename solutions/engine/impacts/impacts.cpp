@@ -36,8 +36,8 @@ struct Approach {
   }
 };
 
-/// Resolves the impacts of a step from the first to the last. Impacts at one time that share a dynamic body are
-/// resolved together.
+/// Resolves the impacts of a step from the first to the last. Impacts at one time that dynamic bodies or joints connect
+/// are resolved together.
 template <int Dof>
 class ImpactQueue {
  public:
@@ -66,8 +66,8 @@ class ImpactQueue {
       take_first(first);
       for (const std::size_t c : first) {
         if (!waiting_[c]) continue;
-        const double late = *approach(c);
-        resolve(connected(c), late);
+        waiting_[c] = false;
+        if (const auto late = approach(c)) resolve(connected(c), *late);
       }
     }
     if (!impacts_.empty())
@@ -77,7 +77,7 @@ class ImpactQueue {
 
  private:
   static constexpr double one_time = 1e-6;      // of a step
-  static constexpr double small_overlap = 0.1;  // of the overlap of an impact
+  static constexpr double small_overlap = 0.1;  // of an overlap
 
   Contact now(std::size_t c) const { return moved_on(contacts_[c], moved_, radii_); }
 
@@ -130,11 +130,10 @@ class ImpactQueue {
     }
   }
 
-  /// Returns contact c, and the waiting contacts that dynamic bodies and their joints connect with it. They no longer
+  /// Returns contact c, and the waiting contacts that dynamic bodies and their joints connect with it. These no longer
   /// wait.
   std::vector<std::size_t> connected(std::size_t c) {
     std::vector<std::size_t> together{c};
-    waiting_[c] = false;
     const auto take_around = [&](int body) {
       around(static_cast<std::size_t>(body), [&](std::size_t other) {
         if (!waiting_[other]) return;
