@@ -122,8 +122,8 @@ Held hold(int boxes, double ratio, int draw) {
   constexpr double tolerance = 1e-6;
   const SolveReport report = direct_solve(rows, V, {.max_sweeps = 100, .tolerance = tolerance}, factors);
   const auto held = std::count_if(rows.begin(), rows.end(), [&](const spook::Row<6>& row) {
-    const double lacking = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
-    return !(std::abs(lacking) <= tolerance);
+    const double residual = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
+    return !(std::abs(residual) <= tolerance);
   });
   const bool solved = report.converged && report.trouble.empty();
   return {solved ? static_cast<double>(report.history.size()) : infinity, static_cast<double>(held)};

@@ -53,12 +53,12 @@ void store(const OpenRows<Dof>& open, Vector& lambda, std::vector<Row<Dof>>& row
 template <int Dof>
 void refine(const OpenRows<Dof>& open, const Factors& factors, std::vector<Row<Dof>>& rows,
             std::vector<Twist<Dof>>& V) {
-  Vector lacking(open.B.size());
+  Vector residual(open.B.size());
   for (std::size_t k = 0; k < open.rows.size(); ++k) {
     const Row<Dof>& row = rows[open.index[k]];
-    lacking[k] = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
+    residual[k] = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
   }
-  const Vector more = factors.ldlt.solve(lacking);
+  const Vector more = factors.ldlt.solve(residual);
   for (std::size_t k = 0; k < open.rows.size(); ++k) {
     Row<Dof>& row = rows[open.index[k]];
     row.lambda = std::clamp(row.lambda + more[k], row.lo, row.hi);

@@ -27,7 +27,7 @@ Vec3 NaturalCoordinates::difference(const Place& a, const Place& b, const Vector
 
 void NaturalCoordinates::hold(const Place& a, const Place& b, const Place& c, const Place& d) {
   const Vector y = start();
-  held_.push_back({a, b, c, d, difference(a, b, y, false).dot(difference(c, d, y, false))});
+  constraints_.push_back({a, b, c, d, difference(a, b, y, false).dot(difference(c, d, y, false))});
 }
 
 /// Adds the energy ½ m |a' - b'|².
@@ -64,9 +64,9 @@ NaturalCoordinates::Vector NaturalCoordinates::start() const {
 }
 
 NaturalCoordinates::Vector NaturalCoordinates::gaps(const Vector& y) const {
-  Vector gaps(held_.size());
-  for (std::size_t n = 0; n < held_.size(); ++n) {
-    const Held& h = held_[n];
+  Vector gaps(constraints_.size());
+  for (std::size_t n = 0; n < constraints_.size(); ++n) {
+    const Constraint& h = constraints_[n];
     gaps[static_cast<Eigen::Index>(n)] =
         difference(h.a, h.b, y, false).dot(difference(h.c, h.d, y, false)) - h.value;
   }
@@ -74,9 +74,9 @@ NaturalCoordinates::Vector NaturalCoordinates::gaps(const Vector& y) const {
 }
 
 Eigen::MatrixXd NaturalCoordinates::jacobian(const Vector& y) const {
-  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(held_.size()), numbers());
-  for (std::size_t n = 0; n < held_.size(); ++n) {
-    const Held& h = held_[n];
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(constraints_.size()), numbers());
+  for (std::size_t n = 0; n < constraints_.size(); ++n) {
+    const Constraint& h = constraints_[n];
     const Vec3 ab = difference(h.a, h.b, y, false), cd = difference(h.c, h.d, y, false);
     const auto add = [&](const Place& place, const Vec3& by) {
       if (place.moving >= 0) G.block<1, 3>(static_cast<Eigen::Index>(n), 3 * place.moving) += by.transpose();
@@ -88,9 +88,9 @@ Eigen::MatrixXd NaturalCoordinates::jacobian(const Vector& y) const {
 
 NaturalCoordinates::Vector NaturalCoordinates::rate(const Vector& y) const {
   const Eigen::MatrixXd G = jacobian(y);
-  Vector gamma(held_.size());
-  for (std::size_t n = 0; n < held_.size(); ++n) {
-    const Held& h = held_[n];
+  Vector gamma(constraints_.size());
+  for (std::size_t n = 0; n < constraints_.size(); ++n) {
+    const Constraint& h = constraints_[n];
     gamma[static_cast<Eigen::Index>(n)] = -2 * difference(h.a, h.b, y, true).dot(difference(h.c, h.d, y, true));
   }
   // G M⁻¹ Gᵀ μ = G M⁻¹ Q - γ, with the smallest μ if rows are redundant.

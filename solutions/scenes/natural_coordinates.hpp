@@ -56,7 +56,7 @@ class NaturalCoordinates {
   double energy(const Vector& y) const;
 
  private:
-  struct Held {
+  struct Constraint {
     Place a, b, c, d;
     double value;
   };
@@ -67,7 +67,7 @@ class NaturalCoordinates {
   void add_mass(const Place& a, const Place& b, double mass);
 
   std::vector<Vec3> start_, start_velocity_;
-  std::vector<Held> held_;
+  std::vector<Constraint> constraints_;
   Eigen::MatrixXd M_;
   Vector weight_;
   double energy_of_fixed_ = 0;

@@ -131,7 +131,7 @@ class WorldScene : public Scene {
   const World<3>* points() const final { return this_if<3>(); }
   const World<6>* rigid_bodies() const final { return this_if<6>(); }
   Hand& hand() final {
-    soundness_.begin_again();
+    run_check_.begin_again();
     return hand_;
   }
   bool take_state_from(const Scene& other) final {
@@ -142,12 +142,12 @@ class WorldScene : public Scene {
     return true;
   }
   void state(StateStream& s) final {
-    s(world_, soundness_, since_);
+    s(world_, run_check_, since_);
     results(s);
   }
   StepReport report() const final { return world_.report(); }
-  void judge() final { soundness_.look(world_, h_); }
-  const Verdict& verdict() const final { return soundness_.verdict(); }
+  void judge() final { run_check_.look(world_, h_); }
+  const Verdict& verdict() const final { return run_check_.verdict(); }
   std::int64_t row_updates() const final { return world_.row_updates(); }
   void time_stages() final { world_.time_stages(); }
   StageTimes stage_times() const final { return world_.stage_times(); }
@@ -196,7 +196,7 @@ class WorldScene : public Scene {
   }
 
   HandIn<Dof> hand_;
-  RunCheck<Dof> soundness_;
+  RunCheck<Dof> run_check_;
   double since_ = 0;  // time of the other scene at take_state_from [s]
 };
 

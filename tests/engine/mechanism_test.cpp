@@ -324,11 +324,11 @@ TEST(Limit, LeavesAMotorAloneUntilItIsReached) {
 TEST(Motor, BringsAFlywheelToSpeedInIOmegaOverT) {
   const double I = 2, torque = 0.7, omega = 3.1, h = 0.01;
   Wheel wheel({.i = 0, .j = 0, .motor = Motor{.speed = omega, .strength = torque}}, I);
-  RunCheck<6> soundness;
-  soundness.look(wheel.world, h);
+  RunCheck<6> check;
+  check.look(wheel.world, h);
   for (int n = 1; n <= 2000; ++n) {
     wheel.world.step(h);
-    soundness.look(wheel.world, h);
+    check.look(wheel.world, h);
     ASSERT_NEAR(wheel.world.joint_speed(wheel.joint), std::min(n * h * torque / I, omega), 1e-9)
         << "step " << n;
     if (n * h < 0.99 * I * omega / torque) {
@@ -336,7 +336,7 @@ TEST(Motor, BringsAFlywheelToSpeedInIOmegaOverT) {
     }
   }
   EXPECT_NEAR(wheel.world.motor_force(wheel.joint), 0, 1e-9) << "nothing brakes it";
-  EXPECT_EQ(soundness.verdict().state, State::sound) << soundness.verdict().reason;
+  EXPECT_EQ(check.verdict().state, State::sound) << check.verdict().reason;
 }
 
 TEST(Motor, OfSomeViscosityLagsByTorqueOverViscosity) {

@@ -14,13 +14,13 @@ constexpr double h = 1.0 / 60, g = 9.81;
 
 template <int Dof>
 Verdict judged(World<Dof>& world, int steps, double step = h) {
-  RunCheck<Dof> soundness;
-  soundness.look(world, step);
+  RunCheck<Dof> check;
+  check.look(world, step);
   for (int n = 0; n < steps; ++n) {
     world.step(step);
-    soundness.look(world, step);
+    check.look(world, step);
   }
-  return soundness.verdict();
+  return check.verdict();
 }
 
 Verdict judged(const std::string& name, const SceneSettings& settings, double time, Method method) {
@@ -264,14 +264,14 @@ TEST(RunCheck, WhatForcesGiveIsNotFromNothing) {
 TEST(RunCheck, APushIsNotFromNothing) {
   World<3> world({.gravity = Vec3::Zero()});
   const int body = world.add({.mass = 1});
-  RunCheck<3> soundness;
-  soundness.look(world, h);
+  RunCheck<3> check;
+  check.look(world, h);
   world.apply_central_impulse(body, Vec3(3, 0, 0));
-  soundness.begin_again();
-  soundness.look(world, h);
+  check.begin_again();
+  check.look(world, h);
   world.step(h);
-  soundness.look(world, h);
-  EXPECT_EQ(soundness.verdict().state, State::sound);
+  check.look(world, h);
+  EXPECT_EQ(check.verdict().state, State::sound);
 }
 
 TEST(RunCheck, NotesTunnellingInAStepThatItWasToldOf) {
@@ -279,21 +279,21 @@ TEST(RunCheck, NotesTunnellingInAStepThatItWasToldOf) {
     World<6> world({.gravity = Vec3::Zero()});
     world.add_fixed_box(Vec3(1, 0, 0), Vec3(0.05, 1, 1));
     const int ball = world.add({.v = Vec3(100, 0, 0), .radius = 0.1});
-    RunCheck<6> soundness;
+    RunCheck<6> check;
     const auto step = [&] {
-      if (is_told) soundness.begin_step(world);
+      if (is_told) check.begin_step(world);
       world.step(h);
-      soundness.look(world, h);
+      check.look(world, h);
     };
     step();  // the first
-    EXPECT_EQ(soundness.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
-    soundness.begin_again();
+    EXPECT_EQ(check.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
+    check.begin_again();
     world.place(ball, Vec3::Zero(), Vec3::Zero());
     step();
     world.place(ball, Vec3::Zero(), Vec3(100, 0, 0));
-    soundness.bodies_were_moved();
+    check.bodies_were_moved();
     step();
-    EXPECT_EQ(soundness.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
+    EXPECT_EQ(check.verdict().note.find("body 1 moves by 1.67 m in a step") == 0, is_told);
   }
 }
 

@@ -105,7 +105,7 @@ class Watch {
         before_(scene.world.bodies().motion.W),
         p0_(momentum(scene.world.bodies())),
         L_(angular_momentum(scene.world.bodies())) {
-    soundness_.look(scene.world, scene.h);
+    run_check_.look(scene.world, scene.h);
     started_ = most_ = kinetic_energy(scene.world.bodies());
     for (const double mass : scene.world.bodies().mass) mass_ += mass;
   }
@@ -114,8 +114,8 @@ class Watch {
     look_at_rows();
     look_at_momentum();
     look_at_energy();
-    soundness_.look(world(), scene_.h);
-    if (const Verdict& verdict = soundness_.verdict(); verdict.state != State::sound) {
+    run_check_.look(world(), scene_.h);
+    if (const Verdict& verdict = run_check_.verdict(); verdict.state != State::sound) {
       std::string& found = findings_.wrong[name_of(verdict.state)];
       if (found.empty()) found = "step " + std::to_string(verdict.step) + ": " + verdict.reason;
     }
@@ -202,7 +202,7 @@ class Watch {
 
   const RandomScene<Dof>& scene_;
   Findings findings_;
-  RunCheck<Dof> soundness_;
+  RunCheck<Dof> run_check_;
   std::vector<Twist<Dof>> before_;
   Vec3 p0_, L_;  // the right values
   double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
