@@ -22,22 +22,30 @@ FrictionModel friction_model(const Method& method) {
   return has_cones ? FrictionModel::cone : FrictionModel::two_pass;
 }
 
-/// Throws std::invalid_argument for a row order with another solver, or with cones.
+/// Throws std::invalid_argument unless the solver of `method` has `what`; the message lists those that have it.
+template <class Has>
+static void require_solver_with(const std::string& what, const Method& method, const Has& has) {
+  if (has(find_solver<3>(method.solver))) return;
+  std::string all;
+  for (const NamedSolver<3>& named : solvers<3>())
+    if (has(named)) all += (all.empty() ? "" : ", ") + named.name;
+  throw std::invalid_argument("solver must be one that has " + what + ", " + all + ", but is " + method.solver);
+}
+
+/// Throws std::invalid_argument for a row order with another solver, or with cones, and for a solver without the cone or
+/// the accuracy that is asked for.
 static void require_one_solver(const Method& method) {
   const bool ordered = method.row_order != RowOrder::given;
   if (ordered && !find_solver<3>(method.solver).takes_row_order)
     throw std::invalid_argument("with a row order, solver must be gauss_seidel, but is " + method.solver);
+  if (method.accuracy)
+    require_solver_with("an accuracy", method, [](const auto& named) { return named.make_to != nullptr; });
   if (friction_model(method) != FrictionModel::cone) return;
   if (ordered)
     throw std::invalid_argument(
         "the cone sweeps in the order that is given: friction-model must be box or two_pass for another order, "
         "but is cone");
-  if (find_solver<3>(method.solver).make_on_cones) return;
-  std::string with_cones;
-  for (const NamedSolver<3>& named : solvers<3>())
-    if (named.make_on_cones) with_cones += (with_cones.empty() ? "" : ", ") + named.name;
-  throw std::invalid_argument("solver must be one that has the cone, " + with_cones + ", but is " +
-                              method.solver);
+  require_solver_with("the cone", method, [](const auto& named) { return named.make_on_cones != nullptr; });
 }
 
 template <int Dof>
@@ -45,7 +53,7 @@ Solver<Dof> make_solver(const Method& method) {
   const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
   require_one_solver(method);
   const FrictionModel model = friction_model(method);
-  if (method.accuracy && named.make_to) return named.make_to(model, *method.accuracy);
+  if (method.accuracy) return named.make_to(model, *method.accuracy);
   if (model == FrictionModel::cone) return named.make_on_cones();
   Solver<Dof> solver = method.row_order == RowOrder::given
                            ? named.make()

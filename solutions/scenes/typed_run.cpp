@@ -80,9 +80,6 @@ static void refuse_beside_soft(const TypedRun& typed) {
 
 /// Rejects options that choose another solver.
 static void refuse_beside_accuracy(const TypedRun& typed) {
-  if (typed.solver && !find_solver<3>(*typed.solver).make_to)
-    throw std::invalid_argument("accuracy needs the solver auto or geometric_stiffness, but solver is " +
-                                *typed.solver + ": leave one of them out");
   refuse_given({{"row-order", typed.row_order.has_value()},
                 {"soft-steps", typed.soft_steps.has_value()},
                 {"integrator-order", typed.integrator_order.has_value()}},
@@ -171,7 +168,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (accuracy) {
     refuse_beside_accuracy(*this);
     method.accuracy = parse_number("accuracy", *accuracy);
-    if (!find_solver<3>(method.solver).make_to) method.solver = "auto";
+    if (!solver && !find_solver<3>(method.solver).make_to) method.solver = "auto";
   }
   if (soft_steps) {
     refuse_beside_soft(*this);

@@ -787,7 +787,7 @@ class SoftSteps(WithModule):
                          "soft_steps: leave them out", spook.World, soft_steps=4, **given)
         self.refused("accuracy has no effect with soft_steps: leave one of them out", spook.World, accuracy=1e-3,
                      soft_steps=4)
-        self.refused("accuracy needs the solver auto or geometric_stiffness, but solver is direct", spook.PointWorld,
+        self.refused("solver must be one that has an accuracy, auto, geometric_stiffness, but is direct", spook.PointWorld,
                      accuracy=1e-3, solver="direct")
         spook.PointWorld(accuracy=1e-3, solver="geometric_stiffness")
         self.assertEqual(spook.scene("stack").run(accuracy=0.01).options, {"accuracy": 0.01})

@@ -58,9 +58,6 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
     throw std::invalid_argument("soft_steps must be from 1 to 1024, but is " + std::to_string(*soft_steps));
   Method method{.h = 1, .solver = solver};
   if (model) method.friction_model = find_friction_model(*model);
-  if (accuracy && !find_solver<Dof>(solver).make_to)
-    throw std::invalid_argument("accuracy needs the solver auto or geometric_stiffness, but solver is " +
-                                solver);
   if (accuracy && soft_steps)
     throw std::invalid_argument("accuracy has no effect with soft_steps: leave one of them out");
   method.accuracy = accuracy;

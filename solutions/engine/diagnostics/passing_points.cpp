@@ -59,7 +59,7 @@ static double reach(const Shape& shape) {
       shape, [](const NoShape&) { return 0.0; }, [](const Sphere& sphere) { return sphere.radius; },
       [](const Capsule& capsule) { return capsule.radius + capsule.half_length; },
       [](const Cuboid& box) { return box.half_sides.norm(); },
-      [&](const PointSet&) -> double { return size_of(shape); });
+      [](const PointSet& set) { return size_of(set); });
 }
 
 template <int Dof>

@@ -163,17 +163,12 @@ class ImpactQueue {
 
     std::vector<Start> starts;
     for (const std::size_t body : moving) starts.push_back(start_of(body));
-    const std::vector<Contact> others = other_overlaps(together, moving);
+    const std::vector<Overlap> others = other_overlaps(together, moving);
     std::vector<Impact> impacts = resolve_at(late, together, moving, joints);
-    const std::vector<Way> ways = ways_since(starts, moving);
-    if (late > 0 && closes(others, moving, ways)) {
+    for (std::size_t n = 0; n < moving.size(); ++n) note_moved(moving[n], starts[n]);
+    if (closed_further(others)) {
       for (std::size_t n = 0; n < moving.size(); ++n) put_back(moving[n], starts[n]);
       impacts = resolve_at(0, together, moving, joints);
-    } else {
-      for (std::size_t n = 0; n < moving.size(); ++n) {
-        moved_.by[moving[n]] += ways[n].by;
-        moved_.turned[moving[n]] += ways[n].turned;
-      }
     }
     if (impacts.empty()) return;
     impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
@@ -218,34 +213,46 @@ class ImpactQueue {
     return impacts;
   }
 
+  /// A contact that overlaps, and its gap before impacts are resolved [m].
+  struct Overlap {
+    std::size_t contact;
+    double gap;
+  };
+
   /// Returns the overlaps of these bodies that are more than a tenth of that of the impacts, and have no impact.
-  std::vector<Contact> other_overlaps(const std::vector<std::size_t>& together,
+  std::vector<Overlap> other_overlaps(const std::vector<std::size_t>& together,
                                       const std::vector<std::size_t>& moving) const {
     double deepest = 0;
     for (const std::size_t c : together) deepest = std::min(deepest, now(c).gap);
-    std::vector<Contact> others;
+    std::vector<Overlap> others;
     for (const std::size_t body : moving)
       around(body, [&](std::size_t other) {
-        const Contact contact = now(other);
-        if (contact.gap < small_overlap * deepest && !approach(other)) others.push_back(contact);
+        const double gap = now(other).gap;
+        if (gap < small_overlap * deepest && !approach(other)) others.push_back({other, gap});
       });
     return others;
   }
 
-  /// Where a body was, and how it moved, before impacts were resolved.
+  /// Tells whether one of these overlaps is deeper by more than a tenth than it was.
+  bool closed_further(const std::vector<Overlap>& overlaps) const {
+    return std::any_of(overlaps.begin(), overlaps.end(), [&](const Overlap& overlap) {
+      return now(overlap.contact).gap < (1 + small_overlap) * overlap.gap;
+    });
+  }
+
+  /// Where a body was, how it moved, and its displacement, before impacts were resolved.
   struct Start {
     Vec3 x;
     Quat q = Quat::Identity();
     Twist<Dof> W;
-  };
-
-  /// A displacement: of the centre [m], and about it [rad].
-  struct Way {
-    Vec3 by, turned = Vec3::Zero();
+    Vec3 by, turned;
   };
 
   Start start_of(std::size_t body) const {
-    Start start{.x = bodies_.x[body], .W = bodies_.motion.W[body]};
+    Start start{.x = bodies_.x[body],
+                .W = bodies_.motion.W[body],
+                .by = moved_.by[body],
+                .turned = moved_.turned[body]};
     if constexpr (Dof == 6) start.q = bodies_.orientations.q[body];
     return start;
   }
@@ -253,41 +260,23 @@ class ImpactQueue {
   void put_back(std::size_t body, const Start& start) {
     bodies_.x[body] = start.x;
     bodies_.motion.W[body] = start.W;
+    moved_.by[body] = start.by;
+    moved_.turned[body] = start.turned;
     if constexpr (Dof == 6) {
       bodies_.orientations.q[body] = start.q;
       bodies_.motion.inverse_mass[body].angular = bodies_.orientations.inverse_inertia(body);
     }
   }
 
-  std::vector<Way> ways_since(const std::vector<Start>& starts, const std::vector<std::size_t>& moving) const {
-    std::vector<Way> ways;
-    for (std::size_t n = 0; n < moving.size(); ++n) {
-      Way way{.by = bodies_.x[moving[n]] - starts[n].x};
-      if constexpr (Dof == 6) {
-        const Quat& q = bodies_.orientations.q[moving[n]];
-        if (q.coeffs() != starts[n].q.coeffs()) {
-          const Eigen::AngleAxisd turned(q * starts[n].q.conjugate());
-          way.turned = turned.angle() * turned.axis();
-        }
-      }
-      ways.push_back(way);
+  /// Adds the way of a body since its start to the displacements.
+  void note_moved(std::size_t body, const Start& start) {
+    moved_.by[body] += bodies_.x[body] - start.x;
+    if constexpr (Dof == 6) {
+      const Quat& q = bodies_.orientations.q[body];
+      if (q.coeffs() == start.q.coeffs()) return;
+      const Eigen::AngleAxisd turned(q * start.q.conjugate());
+      moved_.turned[body] += turned.angle() * turned.axis();
     }
-    return ways;
-  }
-
-  /// Tells whether the ways of the bodies close one of these overlaps by more than a tenth of it.
-  bool closes(const std::vector<Contact>& overlaps, const std::vector<std::size_t>& moving,
-              const std::vector<Way>& ways) const {
-    const auto way_of = [&](int body, const Vec3& r) -> Vec3 {
-      const auto at = std::lower_bound(moving.begin(), moving.end(), static_cast<std::size_t>(body));
-      if (at == moving.end() || *at != static_cast<std::size_t>(body)) return Vec3::Zero();
-      const Way& way = ways[static_cast<std::size_t>(at - moving.begin())];
-      return way.by + way.turned.cross(r);
-    };
-    return std::any_of(overlaps.begin(), overlaps.end(), [&](const Contact& contact) {
-      return contact.n.dot(way_of(contact.j, contact.r_j) - way_of(contact.i, contact.r_i)) <
-             small_overlap * contact.gap;
-    });
   }
 
   /// Moves a body of a mechanism freely for a time [s], which may be negative.
