@@ -135,12 +135,13 @@ class Exports(unittest.TestCase):
         self.assertEqual((room / "classroom_weights.csv").read_bytes(), table.read_bytes())
 
     def test_results_are_weighed_again(self):
-        """By another table and rule, and nothing is run again."""
+        """By another table and rule, and nothing is run again. A test without a row in that table has the default."""
         table = self.room.root / "table.csv"
         table.write_text("test,points,visibility,hint,title\n"
                          "Drift.BackwardsUndoesForwards,9,hidden,1.2/1,Secret words\n")
         rows = list(csv.DictReader(io.StringIO(self.export("csv", self.file("wrong"), "--weights", table))))
         self.assertEqual([row["score"] for row in rows if row["test"] == "Drift.BackwardsUndoesForwards"], ["9"])
+        self.assertEqual([row["max_score"] for row in rows if row["test"] == "LeapfrogStep.ConservesMomentum"], ["1"])
         junit = self.export("junit", self.file("wrong"), "--weights", table)
         self.assertNotIn("BackwardsUndoesForwards\"", junit.partition("1.2 drift")[2].partition("1.3")[0])
         self.assertIn("hidden test 2", junit)

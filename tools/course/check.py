@@ -4,7 +4,7 @@ import textwrap
 
 from board import board_line, count_done, next_of_all, show_milestone, show_next
 from grading.choices import TABLE
-from grading.weights import read_rows
+from grading.weights import defaults, read_rows
 from last_verdicts import last_state, remember
 from manifest import Exercise, all_exercises
 from paths import shown
@@ -125,8 +125,8 @@ def show(verdict: Verdict) -> None:
 
 def _what_was_shown(exercise: Exercise) -> str:
     """Names the first few tests by their titles."""
-    rows = read_rows(TABLE).values()
-    titles = [row.title for row in rows if row.test.partition(".")[0] == exercise.suite]
+    rows = read_rows(TABLE)
+    titles = [rows.get(test, default).title for test, default in defaults([exercise]).items()]
     titles = [title[:1].lower() + title[1:] if title[1:2].islower() else title for title in titles]
     more = [f"and {len(titles) - _SHOWN} more"] if len(titles) > _SHOWN else []
     return f"What was tested: {'; '.join(titles[:_SHOWN] + more)}." if titles else ""

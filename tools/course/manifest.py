@@ -6,10 +6,11 @@ from pathlib import Path
 
 from errors import CourseError
 from marker import is_empty, is_stub
-from paths import CHAPTERS, SOLUTIONS
+from paths import CHAPTERS, ROOT, SOLUTIONS
 
 _HEADING = re.compile(r"^## +([0-9]+)\.([0-9]+) +([a-z][a-z0-9_]*)\s*$")
 _ITEM = re.compile(r"^[0-9]+\. +")
+_TEST = re.compile(r"^EXERCISE_TEST\((\w+), (\w+)\)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,12 @@ class Exercise:
             return self.file.read_text(encoding="utf-8", errors="replace")
         except FileNotFoundError:
             return None
+
+    def tests(self) -> list[str]:
+        """Returns the course's tests of it, such as Kick.AddsForceOverMass, in the order in which they run."""
+        return [f"{suite}.{test}" for file in sorted((ROOT / "tests" / self.folder).glob("*.cpp"))
+                for suite, test in _TEST.findall(file.read_text(encoding="utf-8", errors="replace"))
+                if suite == self.suite]
 
     def started(self) -> bool:
         source = self.source()

@@ -9,7 +9,6 @@ from paths import CHAPTERS, ROOT
 
 _ITEM = re.compile(r" {3}(\S+) {2,}(\S.*)")
 _CODE = re.compile(r"(`[^`]*`)")
-_TEST = re.compile(r"^EXERCISE_TEST\((\w+), (\w+)\)", re.MULTILINE)
 
 
 def exercises_of(lesson: Path) -> dict[str, tuple[str, str]]:
@@ -76,7 +75,5 @@ def _folded(title: str, text: str) -> str:
 
 
 def _tests(exercise: Exercise) -> str:
-    files = sorted((ROOT / "tests" / exercise.folder).glob("*_test.cpp"))
-    names = [f"`{test}`" for file in files for suite, test in _TEST.findall(file.read_text(encoding="utf-8"))
-             if suite == exercise.suite]
+    names = [f"`{test.partition('.')[2]}`" for test in exercise.tests()]
     return _folded("Tests", ", ".join(names)) if names else ""

@@ -11,7 +11,8 @@ from grading.merge import read_result, read_results
 from grading.results import score
 from grading.roster import read_roster
 from grading.text import one_line
-from grading.weights import read_weights
+from grading.weights import defaults, read_weights
+from manifest import all_exercises
 
 _KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
                               "autolab": autolab.write_kit, "students": students.write_repository}
@@ -63,7 +64,9 @@ def _weigh_again(results: list[dict], arguments) -> None:
     hidden = Path(arguments.hidden) if arguments.hidden else None
     if not (arguments.weights or hidden or arguments.points or arguments.chapters):
         return
-    weights = read_weights(Path(arguments.weights or TABLE), hidden).rows() if arguments.weights or hidden else {}
+    weights = {}
+    if arguments.weights or hidden:
+        weights = defaults(all_exercises()) | read_weights(Path(arguments.weights or TABLE), hidden).rows()
     chosen = {exercise.function: exercise for exercise in arguments.chapters or ()}
     for result in results:
         result["points"] = arguments.points or result["points"]

@@ -1,15 +1,17 @@
-"""Points, title and visibility of each test: tests/weights.csv, or a table of the instructor's.
+"""Points, title and visibility of each test: by tests/weights.csv, or by a table of the instructor's, or by default.
 
     test,points,visibility,hint,title
     Kick.AddsForceOverMass,1,visible,1.1/1,Adds the force over the mass
 
-Hidden tests may have a table of their own, weights.csv in their folder; without a row they are worth a point, hidden.
+A test without a row has the default. Hidden tests may have a table of their own, weights.csv in their folder; without a
+row they are worth a point, hidden.
 """
 
 import csv
 import math
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from errors import BadInput, CourseError
@@ -19,7 +21,8 @@ from pick import near
 
 COLUMNS = ("test", "points", "visibility", "hint", "title")
 VISIBILITIES = ("visible", "after_due_date", "after_published", "hidden")
-_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])(?<![0-9]e)")
+_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])(?<!Na(?=N))|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])(?<![0-9]e)")
+_IN_ANY_UNITS = "IsTheSameInAnyUnits"  # most functions that do nothing pass it
 
 
 @dataclass(frozen=True)
@@ -42,12 +45,10 @@ class Weights:
         return self._rows
 
     def check(self, expected: dict[str, Exercise], hidden: set[str], idle: set[str]) -> None:
-        """Checks that each expected test has a row, that its hint exists, and that each row is of an existing test.
+        """Checks that each row is of an existing test, and that the hint of each expected test exists.
 
-        A hidden test without a row gets a first draft, without points for one of the `idle`.
+        An expected test without a row gets the default. If it is hidden, it has no points if it is one of the `idle`.
         """
-        for test in sorted(hidden & set(expected) - set(self._rows)):
-            self._rows[test] = first_draft(test, expected[test], "hidden", 0.0 if test in idle else 1.0)
         suites = {exercise.suite for exercise in expected.values()}
         known = {exercise.suite for exercise in all_exercises()}
         for test in self._rows:
@@ -55,12 +56,11 @@ class Weights:
             if suite not in known or (suite in suites and test not in expected):
                 raise BadInput(f"the table of weights has a row for {test}, which is not a test"
                                f"{near(test, list(expected))}")
-        lacking = [test for test in expected if test not in self._rows]
-        if lacking:
-            raise CourseError(f"the table of weights has no row for {lacking[0]}"
-                              + (f" and {len(lacking) - 1} more" if len(lacking) > 1 else "")
-                              + "; ./course export weights prints one with rows for all")
         for test, exercise in expected.items():
+            if test not in self._rows:
+                default = default_weight(test, exercise)
+                self._rows[test] = (replace(default, visibility="hidden", points=0.0 if test in idle else 1.0)
+                                    if test in hidden else default)
             _check_hint(self._rows[test], exercise)
 
 
@@ -71,12 +71,18 @@ def read_weights(table: Path, hidden: Path | None) -> Weights:
     return Weights(rows)
 
 
-def first_draft(test: str, exercise: Exercise, visibility: str = "visible", points: float = 1.0) -> Weight:
-    """Returns a row for a test that has none: the words of its name, and a point, or none if an idle function passes
-    it."""
-    words = _HUMP.sub(" ", test.partition(".")[2]).split()
-    title = " ".join(word if len(word) > 1 and word.isupper() else word.lower() for word in words)
-    return Weight(test, points, visibility, f"{exercise.id}/1", title[:1].upper() + title[1:])
+def default_weight(test: str, exercise: Exercise) -> Weight:
+    """Returns the weight of a test without a row: a point, visible, the first hint, and the words of its name."""
+    name = test.partition(".")[2]
+    words = _HUMP.sub(" ", name).split()
+    title = " ".join(word if word == "NaN" or len(word) > 1 and word.isupper() else word.lower() for word in words)
+    return Weight(test, 0.0 if name == _IN_ANY_UNITS else 1.0, "visible", f"{exercise.id}/1",
+                  title[:1].upper() + title[1:])
+
+
+def defaults(exercises: Iterable[Exercise]) -> dict[str, Weight]:
+    """Returns the default weight of each of the course's tests of these exercises, in their order."""
+    return {test: default_weight(test, exercise) for exercise in exercises for test in exercise.tests()}
 
 
 def as_table(weights: list[Weight], out) -> None:
