@@ -7,6 +7,7 @@
 // processes, so the limit of its memory is the limit of everything it does. It cannot look into other processes.
 #include "answering.hpp"
 
+#include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/sched.h>
@@ -21,11 +22,13 @@
 #include <csignal>
 #include <cstdarg>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
-#include <iterator>
 #include <mutex>
+#include <vector>
 
 namespace spook::remote {
 
@@ -56,18 +59,46 @@ constexpr int not_asked = 97;
   _exit(0);
 }
 
-/// Makes the kernel refuse new processes and programs, and access to the memory and descriptors of others, by any call.
-/// Kernels without filters are unchanged.
+#if defined(__x86_64__) || defined(__aarch64__)
+constexpr long refused[] = {
+#ifdef __x86_64__
+    // the older forms of some below
+    SYS_fork, SYS_vfork, SYS_creat, SYS_mkdir, SYS_mknod, SYS_symlink, SYS_link,
+#endif
+    // new processes and programs, and the memory and descriptors of others
+    SYS_execve, SYS_execveat, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_pidfd_getfd,
+    // memory that the limit of a process does not count, or that outlives it
+    SYS_shmget, SYS_shmat, SYS_shmdt, SYS_shmctl, SYS_msgget, SYS_semget, SYS_mq_open, SYS_memfd_create,
+    SYS_memfd_secret, SYS_add_key, SYS_request_key, SYS_keyctl,
+    // new names in folders, which may be in memory, too
+    SYS_mkdirat, SYS_mknodat, SYS_symlinkat, SYS_linkat, SYS_bind,
+    // namespaces and file systems of its own
+    SYS_unshare, SYS_setns, SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_open_tree, SYS_move_mount,
+    SYS_fsopen, SYS_fsconfig, SYS_fsmount, SYS_fspick, SYS_mount_setattr,
+    // ways around this filter, and parts of the kernel that no answer needs
+    SYS_io_uring_setup, SYS_io_uring_enter, SYS_io_uring_register, SYS_bpf, SYS_userfaultfd,
+    SYS_perf_event_open};
+// Their flags are in memory, which a filter cannot read. The library then calls clone and openat.
+constexpr long unknown[] = {SYS_clone3, SYS_openat2};
+#endif
+
+/// Makes the kernel refuse new processes and programs, access to the memory and descriptors of others, and memory that
+/// is not counted, by any call. A file is opened for reading only. Kernels without filters are unchanged.
 void keep_to_itself() {
 #if defined(__x86_64__) || defined(__aarch64__)
   constexpr auto load = [](std::size_t offset) -> sock_filter {
     return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset));
   };
   constexpr auto result = [](unsigned value) -> sock_filter { return BPF_STMT(BPF_RET | BPF_K, value); };
-  constexpr auto unless = [](unsigned value) -> sock_filter {
-    return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
+  // These skip the next instructions, unless the loaded value is this one, or has one of these bits.
+  constexpr auto is = [](long value, unsigned char skipped = 1) -> sock_filter {
+    return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(value), 0, skipped);
   };
-  sock_filter filter[] = {
+  constexpr auto has = [](unsigned bits) -> sock_filter {
+    return BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, bits, 0, 1);
+  };
+  constexpr unsigned allow = SECCOMP_RET_ALLOW, refuse = SECCOMP_RET_ERRNO | EPERM;
+  std::vector<sock_filter> filter{
       load(offsetof(seccomp_data, arch)),
       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, machine, 1, 0),
       result(SECCOMP_RET_KILL_PROCESS),
@@ -75,32 +106,23 @@ void keep_to_itself() {
 #ifdef __x86_64__
       BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls with 32-bit pointers
       result(SECCOMP_RET_KILL_PROCESS),
-      unless(SYS_fork),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_vfork),
-      result(SECCOMP_RET_ERRNO | EPERM),
 #endif
-      unless(SYS_execve),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_execveat),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_ptrace),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_process_vm_readv),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_process_vm_writev),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_pidfd_getfd),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_clone3),  // clone3, whose flags a filter cannot read: the library then calls clone
-      result(SECCOMP_RET_ERRNO | ENOSYS),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
-      load(offsetof(seccomp_data, args)),
-      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
-      result(SECCOMP_RET_ERRNO | EPERM),
-      result(SECCOMP_RET_ALLOW),
   };
-  const sock_fprog program{static_cast<unsigned short>(std::size(filter)), filter};
+  const auto add = [&](std::initializer_list<sock_filter> more) { filter.insert(filter.end(), more); };
+  const auto add_flagged = [&](long call, std::size_t argument, unsigned flags, unsigned with,
+                               unsigned without) {
+    add({is(call, 4), load(offsetof(seccomp_data, args) + argument * sizeof(std::uint64_t)), has(flags),
+         result(with), result(without)});
+  };
+  for (const long call : refused) add({is(call), result(refuse)});
+  for (const long call : unknown) add({is(call), result(SECCOMP_RET_ERRNO | ENOSYS)});
+  add_flagged(SYS_clone, 0, CLONE_THREAD, allow, refuse);
+  add_flagged(SYS_openat, 2, O_WRONLY | O_RDWR | O_CREAT, refuse, allow);
+#ifdef __x86_64__
+  add_flagged(SYS_open, 1, O_WRONLY | O_RDWR | O_CREAT, refuse, allow);
+#endif
+  add({result(allow)});
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0);
 #endif

@@ -225,6 +225,70 @@ class Delivered(Finds):
         read = read_submission(handed["ekbo"], all_exercises(), "best")
         self.assertEqual((read.sources["kick"].content, read.attempts), (KICK, {}))
 
+    def test_the_file_of_an_attempt_is_named_with_it(self):
+        """In Brightspace's folders it has the same name in each."""
+        attempts = [f"12-9 - Ann Lee - Nov {day}, 2026 1011 AM" for day in (2, 3)]
+        handed, = find_submissions([self.put({f"{name}/kick.cpp": KICK for name in attempts})], self.root / "out").handed
+        for attempt, taken, other in (("last", 1, 0), ("first", 0, 1)):
+            self.assertEqual(read_submission(handed, all_exercises(), attempt).notes,
+                             [f"taken for kick: {attempts[taken]}/kick.cpp; there is also {attempts[other]}/kick.cpp"])
+        read = read_submission(handed, all_exercises(), "best")
+        self.assertEqual([source.path for source in read.attempts["kick"]],
+                         [f"{attempts[1]}/kick.cpp", f"{attempts[0]}/kick.cpp"])
+
+    def versions(self, names: tuple[str, ...]) -> dict[str, str | list[str]]:
+        """Returns the version that is taken, where the last or the first counts, and those where the best does."""
+        folder = self.put({f"ann/{name}": KICK for name in names})
+        one, found = Handed("ann", (Place(folder / "ann"),), Student("ann")), {}
+        for attempt in ("last", "first"):
+            read = read_submission(one, all_exercises(), attempt)
+            found[attempt] = read.sources["kick"].path
+            self.assertTrue(read.notes[0].startswith(f"taken for kick: {found[attempt]}, a guess; there is also "))
+        found["best"] = [source.path for source in read_submission(one, all_exercises(), "best").attempts["kick"]]
+        shutil.rmtree(folder)
+        return found
+
+    def test_the_last_version_counts_as_the_last_attempt_does(self):
+        """Versions are numbered, v10 after v9. What lies less deep, or where it belongs, is no version."""
+        for form in ("v{}/kick.cpp", "{}/v/kick.cpp", "kick ({}).cpp", "kick_v{}.cpp", f"version {{}}/{WHERE}"):
+            names = tuple(form.format(k) for k in (1, 2, 9, 10))
+            self.assertEqual(self.versions(names), {"last": names[3], "first": names[0], "best": list(names[::-1])})
+        for files in ({WHERE: b"mine", "v1/kick.cpp": KICK, "v2/kick.cpp": KICK}, {"v1/kick.cpp": b"mine", "v2/kick.cpp": STUB},
+                      {"v/kick.cpp": b"mine", "v/w/kick.cpp": KICK}):
+            folder = self.put(files, "one")
+            read = read_submission(Handed("one", (Place(folder),), Student("one")), all_exercises())
+            self.assertEqual(read.sources["kick"].content, b"mine")
+            shutil.rmtree(folder)
+
+    def test_the_newest_version_in_an_archive_counts(self):
+        """By the times that archives have, unless the names are numbered."""
+        for names, last in ((("new/kick.cpp", "old/kick.cpp"), 0), (("draft/kick.cpp", "final/kick.cpp"), 1),
+                            (("v2/kick.cpp", "v10/kick.cpp"), 1), (("v10/kick.cpp", "v2/kick.cpp"), 0)):
+            newest = last if not names[0].startswith("v") else 1 - last
+            times = [(2026, 11, 20 + (k == newest), 10, 11, 12) for k in (0, 1)]
+            packed, taped = io.BytesIO(), io.BytesIO()
+            with zipfile.ZipFile(packed, "w") as archive:
+                for name, time_of_it in zip(names, times):
+                    archive.writestr(zipfile.ZipInfo(name, time_of_it), KICK)
+            with tarfile.open(fileobj=taped, mode="w:gz") as archive:
+                for name, time_of_it in zip(names, times):
+                    info = tarfile.TarInfo(name)
+                    info.size, info.mtime = len(KICK), datetime(*time_of_it).timestamp()
+                    archive.addfile(info, io.BytesIO(KICK))
+            for ending, content in ((".zip", packed.getvalue()), (".tar.gz", taped.getvalue()),
+                                    (".zip", zipped({"work.zip": packed.getvalue()}))):
+                (self.root / f"ann{ending}").write_bytes(content)
+                one = Handed("ann", (Place(self.root / f"ann{ending}"),), Student("ann"))
+                self.assertEqual(read_submission(one, all_exercises()).sources["kick"].path.removeprefix("work.zip/"),
+                                 names[last])
+
+    def test_a_time_that_is_none_stops_nobody(self):
+        info = tarfile.TarInfo("kick.cpp")
+        info.size, info.mtime, content = len(KICK), 1e30, io.BytesIO()
+        with tarfile.open(fileobj=content, mode="w", format=tarfile.PAX_FORMAT) as archive:
+            archive.addfile(info, io.BytesIO(KICK))
+        self.assert_kicks(self.found(self.put({"ann.tar": content.getvalue()}) / "ann.tar")[0], "ann")
+
     def test_the_last_attempt_on_time_counts(self):
         """The time is in Blackboard's and Brightspace's names, and Canvas writes that an attempt is late."""
         noon = datetime(2026, 11, 20, 12)
@@ -343,6 +407,7 @@ class Delivered(Finds):
                                               "b.zip": locked[:at] + b"\1" + locked[at + 1:]}))
         self.assert_kicks(submissions, "a")
         self.assertEqual(submissions["b"].sources["kick"].problem, f"{WHERE} cannot be read: it is encrypted")
+        self.assertEqual(submissions["b"].notes, [submissions["b"].sources["kick"].problem])
 
     def test_many_files_of_no_exercise_cost_little(self):
         folder = self.put({f"ann/{k}.txt": b"" for k in range(5000)})
@@ -506,7 +571,7 @@ class Delivered(Finds):
         self.addCleanup(subprocess.run, ["rm", "-rf", str(folder)])
         submissions, _ = self.found(folder)
         self.assert_kicks(submissions, "ann", "bo", "cy")
-        self.assertEqual(submissions["bo"].notes, ["folders more than 40 deep are not read"])
+        self.assertEqual(submissions["bo"].notes, ["folders more than 40 deep cannot be read"])
 
     def test_what_it_says_of_itself_is_cut(self):
         files = {f"{'n' * 60_000}{k}.hpp": b"" for k in range(100)} | {f"{'n' * 999}{k}.zip": b"" for k in range(99)}
@@ -625,6 +690,80 @@ class Doubts(Finds):
             self.assertIn("no form that is known", doubt)
             shutil.rmtree(folder)
 
+    def class_of(self, *names: str, above: str = "", files: str = "kick.cpp") -> dict[str, bytes]:
+        return {f"{above}{name}/{files}": KICK for name in names}
+
+    def in_each_form(self, files: dict[str, bytes]):
+        """Delivers files as a folder, as an archive, and as an archive in a folder: yields the path, the names of the
+        submissions and the doubts."""
+        packed = self.put({"packed.zip": zipped(files)}, "holds") / "packed.zip"
+        for path in (self.put(files), packed, packed.parent):
+            delivery = find_submissions([path], self.root / "out")
+            with self.subTest(path.name, files=list(files)):
+                yield path, [one.name for one in delivery.handed], delivery.doubts
+        shutil.rmtree(self.root / "in")
+
+    def test_an_archive_of_other_things_is_asked_about(self):
+        """As is a folder in which the only folder or archive is a class."""
+        files = {"Downloads/a.pdf": b"x", "Music/b.mp3": b"x", "Work/kick.cpp": KICK, "Old/kick.cpp": KICK, "Mail/c": b"x"}
+        for above in ("", "class/", "disk/class/"):
+            for _, names, doubts in self.in_each_form({f"{above}{name}": content for name, content in files.items()}):
+                self.assertEqual(names, ["Downloads", "Mail", "Music", "Old", "Work"])
+                self.assertIn("has no form that is known: of 5 submissions in it 3 hold no exercise's file", doubts[0])
+                self.assertEqual(len(doubts), 1)
+        (self.root / "text.zip").write_bytes(zipped({"essay.docx": b"x"}))
+        self.assertIn("is taken for one submission, but holds no exercise's file", self.doubts(self.root / "text.zip")[0])
+
+    def test_a_class_in_folders_in_one_another_is_found(self):
+        for above in ("", "class/", "a/class/", "a/b/c/class/"):
+            for files in ("kick.cpp", WHERE):
+                for _, names, doubts in self.in_each_form(self.class_of("ann", "bob", "cy", above=above, files=files)):
+                    self.assertEqual((names, doubts), (["ann", "bob", "cy"], []))
+
+    def test_folders_without_end_in_an_archive_cost_little(self):
+        packed = self.root / "eve.zip"
+        packed.write_bytes(zipped({f"{'a/' * 30_000}{name}.cpp": KICK for name in ("kick", "drift")}))
+        begun = time.process_time()
+        self.assertEqual([one.name for one in find_submissions([packed], self.root / "out").handed], ["eve"])
+        self.assertLess(time.process_time() - begun, 5)
+
+    def test_nobody_in_a_large_class_in_folders_is_lost(self):
+        """The limits of names are those of each student."""
+        packed = self.root / "class.zip"
+        names = [f"s{k:02d}" for k in range(30)]
+        packed.write_bytes(zipped({f"a/b/{name}/{k}.zip": zipped({"kick.cpp": KICK}) for name in names for k in range(2)}))
+        self.assertEqual(sum(name.name == "kick.cpp" for name in names_in(packed, opened=True)), 60)
+        self.assertEqual([one.name for one in find_submissions([packed], self.root / "out").handed], names)
+
+    def test_one_submission_that_may_be_several_is_asked_about(self):
+        for files in (self.class_of("ann", "bob", above="a/class/"), self.class_of("ann", "bob", above="a/class/", files=WHERE)):
+            for path, names, doubts in self.in_each_form(files):
+                self.assertEqual(len(names), 1)
+                self.assertEqual(len(doubts), 1)
+                self.assertIn(f"{path} is taken for one submission, but kick lies in 2 of its folders", doubts[0])
+        packed = self.root / "two.zip"
+        packed.write_bytes(zipped(self.class_of("ann", "bob", above="class/")))
+        self.assertIn("kick lies in 2 of its folders", self.doubts(packed)[0])
+        hidden = self.put({"x/class.zip": zipped(self.class_of("ann", "bob"))}, "deep")
+        self.assertIn("kick lies in 2 of its folders", self.doubts(hidden)[0])
+
+    def test_one_submission_is_not(self):
+        """An answer where it belongs, a copy beside it, marks inside, and one of a platform."""
+        for files in ({f"my/{WHERE}": KICK, "my/old/kick.cpp": b"old"}, {"my/kick.cpp": KICK, "my/kick (1).cpp": KICK},
+                      {"my/week 1/kick.cpp": KICK, "my/week 2/drift.cpp": b"d"}):
+            for _, names, doubts in self.in_each_form(files):
+                self.assertEqual((len(names), doubts), (1, []))
+        moodle = "Bo Ek_102_assignsubmission_file_"
+        self.assertEqual(self.doubts(self.put({f"{moodle}/v{k}/kick.cpp": KICK for k in (1, 2)}, "moodle")), [])
+        marks = self.put({f"ann/{WHERE}": KICK, f"ann/out/x/{WHERE}": KICK}, "marks")
+        self.assertEqual(find_submissions([marks / "ann"], marks / "ann" / "out").doubts, [])
+
+    def test_what_a_system_packs_with_a_class_is_no_student(self):
+        packed = self.root / "class.zip"
+        packed.write_bytes(zipped(self.class_of("ann", "bob") | {"__MACOSX/ann/._kick.cpp": b"x", ".DS_Store": b"x"}))
+        delivery = find_submissions([packed], self.root / "out")
+        self.assertEqual(([one.name for one in delivery.handed], delivery.left_out), (["ann", "bob"], []))
+
     def grade(self, *words: str, answer: str | None) -> tuple[list[str], str]:
         """Returns who would be graded, and what is printed; `answer` is what is typed, None without a terminal."""
         graded, told = [], io.StringIO()
@@ -692,10 +831,14 @@ class Told(Finds):
 
     def test_what_is_uncertain_is_told_to_the_instructor(self):
         """One of two guesses, and a file of no exercise; but not a guess without another, nor one in its own place."""
-        for files, said in (({"kick (1).cpp": KICK, "kick (2).cpp": KICK}, "a guess; there is also kick (2).cpp"),
+        for files, said in (({"kick (1).cpp": KICK, "kick (2).cpp": KICK}, "kick (2).cpp, a guess; there is also kick (1).cpp"),
                             ({"kick.cpp.txt": b"x", "kick_final.cpp": KICK, "KICK.cpp": b"y"}, "a guess; there is also"),
                             ({"chapters/final.cpp": KICK}, "no file of an exercise was found in chapters/final.cpp"),
                             ({WHERE: KICK, "final.cpp": KICK}, "not taken: final.cpp"),
+                            ({WHERE: KICK, "work.rar": b"Rar!"}, "work.rar cannot be read: this kind of archive"),
+                            ({WHERE: KICK, "cut.zip": b"PK"}, "cut.zip cannot be read: "),
+                            ({WHERE: KICK * 99_999}, f"{WHERE} cannot be read: it is larger than 256 KiB"),
+                            ({WHERE: KICK, "x/" * 41 + "x.hpp": b""}, "folders more than 40 deep cannot be read"),
                             ({"kick (1).cpp": KICK}, ""), ({WHERE: KICK, "old/kick.cpp": KICK}, ""),
                             ({"kick (1).cpp": KICK, "kick (2).cpp": STUB}, "")):
             result = {"submission": "ann", "notes": self.notes(files)}
@@ -736,6 +879,9 @@ class ReadApart(InFolder):
         self.assertEqual(read, read_submission(Handed("ann.zip", (Place(self.root / "ann.zip"),),
                                                       Student("ann.zip")), all_exercises()))
         self.assertEqual(set(read.sources), {"kick", "drift"})
+
+    def test_its_time_is_told(self):
+        self.assertGreater(self.read("ann.zip", zipped({"kick.cpp": KICK})).seconds, 0)
 
     def test_all_attempts_are_the_same(self):
         places = []
@@ -882,6 +1028,23 @@ class Rosters(InFolder):
                 path = self.put({"roster.csv": text.replace(";", separator).encode(encoding)}) / "roster.csv"
                 found, missing, _ = read_roster(path).matched([self.result("Asa Oberg"), self.result("leeann")])
                 self.assertEqual((len(found), missing), (2, []), (encoding, separator))
+
+    def test_numbers_of_every_title(self):
+        for title in ("SID", "Student ID", "OrgDefinedId", "Matrikelnummer", "Student_ID", "Matrikel-Nr."):
+            for number in ("12", "#12"):
+                roster = self.roster(f"{title},Section\n{number},A\n13,A\n")
+                self.assertEqual(list(roster.matched([self.result("x", identifier="12")])[0]), ["x"], title)
+                self.assertEqual(roster.number_of(roster.rows[1]), "13")
+
+    def test_a_name_beside_first_names_is_the_last_name(self):
+        results = [self.result("Ann Lee"), self.result("Öberg Åsa"), self.result("Lee")]
+        for titles, rows in (("Name;Vorname", "Lee;Ann\nÖberg;Åsa\nJones;Jo\nJo;Jo\n"), ("First name;Name", "Ann;Lee\nÅsa;Öberg\n")):
+            roster = self.roster(f"{titles}\n{rows}")
+            found, _, strangers = roster.matched(results)
+            self.assertEqual((list(found), strangers), (["Ann Lee", "Öberg Åsa"], ["Lee"]))
+            self.assertEqual(roster.name_of(roster.rows[0]), "Ann Lee")
+        whole = self.roster("Name,First name\nAnn Lee,Ann\n\"Öberg, Åsa\",Åsa\n")
+        self.assertEqual(list(whole.matched(results)[0]), ["Ann Lee", "Öberg Åsa"])
 
     def test_github_classroom(self):
         roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n')

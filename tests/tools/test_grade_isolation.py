@@ -150,6 +150,14 @@ class ReadVerdict(unittest.TestCase):
             self.assertIn("The assertion inverse_mass >= 0", told[0])
         self.assertIn("most often an index", read_verdict(Ran(code=-signal.SIGABRT), 10)[2][0])
 
+    def test_a_signal_of_no_index_is_not_called_one(self):
+        """SIGILL is that of __builtin_trap(), and none of the others here comes from a wrong index either."""
+        for number, told in ((signal.SIGILL, "__builtin_trap()"), (signal.SIGTRAP, "debugger"), (signal.SIGKILL, "memory"),
+                             (signal.SIGSYS, "system call"), (signal.SIGTERM, "sent itself this signal")):
+            message, = read_verdict(Ran(code=-number), 10)[2]
+            self.assertIn(told, message)
+            self.assertNotIn("index", message)
+
     def test_without_a_verdict(self):
         self.assertEqual(self.read(code=0), "ended early: exit code 0")
         self.assertEqual(self.read(code=3), "ended early: exit code 3")

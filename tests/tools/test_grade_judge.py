@@ -298,6 +298,29 @@ class OneRow(unittest.TestCase):
         self.assertEqual(len(grader.failures), 1)
 
 
+class Reading(unittest.TestCase):
+    def test_its_time_counts(self):
+        """Beyond 3 s, as other work: of 120 s that a submission has, 30 may be lost by then, and 117 by the exercises."""
+        exercises = list(all_exercises())[:4]
+        for seconds, judged in ((0.0, 4), (3.0, 4), (30.0, 3), (122.9, 1), (123.0, 0)):
+            grader = Grades()
+            grader.exercises, grader._of_submission = exercises, 120
+            grader._users = SimpleNamespace(get=lambda: None, put=lambda user: None)
+            grader._judge = SimpleNamespace(
+                unjudged=lambda exercise: ExerciseVerdict([], []), lost=lambda exercise, one: one.used,
+                judge=lambda exercise, source, user: ExerciseVerdict([TestVerdict("0", PASSED)], [], 39.0),
+                without_time=lambda exercise: ExerciseVerdict([TestVerdict("0", TIMED_OUT, NOT_RUN)], []))
+            grader._weights = SimpleNamespace(of=lambda test: SimpleNamespace(points=1))
+            grader._result = lambda submission, found: found
+            grader._write = lambda *_: None
+            sources = {exercise.function: Source("x.cpp", b"x") for exercise in exercises}
+            submission = Submission("ann", Student("ann"), sources, seconds=seconds)
+            with unittest.mock.patch("grading.grader.read_apart", lambda *_: submission):
+                found = Grader.grade_one(grader, Handed("ann", (), Student("ann")), Path())
+            self.assertEqual([one.tests[0].verdict for one in found.values()],
+                             [PASSED] * judged + [TIMED_OUT] * (4 - judged), seconds)
+
+
 class Best(unittest.TestCase):
     """The attempt with most points counts, and the last one of equals. All attempts cost time."""
 
@@ -349,6 +372,16 @@ class Complaints(unittest.TestCase):
         ended = Ended(1, "virtual memory exhausted: Cannot allocate memory\n", False, False, 3.0)
         made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
         self.assertIn("gave up", made.message)
+
+    def test_a_compiler_that_is_stopped_refuses_no_asm_statement(self):
+        exercise = next(iter(all_exercises()))
+        told = "/x.s: Assembler messages:\n/x.s: Error: unknown opcode\n"
+        for ended in (Ended(-9, told, False, False, 20.0), Ended(1, told, True, False, 3.0), Ended(1, told, False, True, 3.0),
+                      Ended(1, f"{told}g++: fatal error: Killed signal terminated program as\n", False, False, 3.0)):
+            made = _not_compiled(exercise, Source("kick.cpp", b"x"), Path("kick.cpp"), ended)
+            self.assertEqual(made.message, "the compiler was stopped by a limit on its time, memory or output")
+        made = _not_compiled(exercise, Source("kick.cpp", b"x"), Path("kick.cpp"), Ended(1, told, False, False, 3.0))
+        self.assertEqual(made.message, "The assembler refuses an asm statement.")
 
     def test_a_large_array_is_no_asm_statement(self):
         exercise = next(iter(all_exercises()))

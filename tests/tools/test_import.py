@@ -330,6 +330,11 @@ class Import(unittest.TestCase):
         for k, body in enumerate(scene["bodies"]):
             np.testing.assert_allclose(body["x"], [*corners[k % 4], 1], atol=1e-12)
         self.refused("<replicate count='1.5'><body/></replicate>", "count of a replicate must be a whole number")
+        inner = "<body><geom size='.1'/></body>"
+        for nested in ("<replicate count='1000'>" * 200 + inner + "</replicate>" * 200,
+                       f"<replicate count='9000'>{inner}</replicate>" * 20,
+                       f"<body><replicate count='9000'>{inner}</replicate></body>" * 20):
+            self.refused(nested, "the copies of all replicates must add at most 200000 elements, but add ")
 
     def test_a_start_outside_its_limits_is_told(self):
         _, said = self.imported(self.written("<body name='b'><joint axis='0 1 0' range='10 20'/><geom size='.1'/></body>"))

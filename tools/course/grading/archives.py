@@ -11,10 +11,11 @@ import stat
 import subprocess
 import tarfile
 import tempfile
+import time
 import zipfile
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 
 LARGEST = 256 << 10  # bytes of a file; the reference's longest answer has a twentieth of that
@@ -43,6 +44,7 @@ class Entry:
     size: int
     read: Callable[[], bytes]
     problem: str = ""
+    time: tuple[int, ...] = ()  # from the year to the second, if an archive tells it
 
 
 class _Budget:
@@ -141,10 +143,10 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
 def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
     """Returns the files' names, to tell a class from a submission. `opened`: includes those in archives inside it.
 
-    Each name at the top has a budget of its own, and beyond it no further names; in an archive with a single folder
-    that holds everything, each name in that folder.
+    Each name at the top has a budget of its own, and beyond it no further names; in an archive with a folder that holds
+    everything, each name in that folder.
     """
-    levels = 1 if path.is_dir() or _has_many_tops(path) else 2
+    levels = 1 if path.is_dir() else 1 + _levels_above(path)
     counts, budgets = Counter(), defaultdict(lambda: _Budget(_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME))
     for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
         top = entry.path.parts[:levels]
@@ -157,14 +159,16 @@ def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
                 yield inner.path
 
 
-def _has_many_tops(path: Path) -> bool:
-    tops = set()
+def _levels_above(path: Path) -> int:
+    """Returns the number of folders, one in another, that hold everything in an archive."""
+    common = None
     for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
         if not is_litter(entry.path):
-            tops.add(entry.path.parts[0])
-        if len(tops) > 1:
-            return True
-    return False
+            folders = entry.path.parts[:-1]
+            common = folders if common is None else os.path.commonprefix([common, folders])
+        if common == ():
+            break
+    return len(common or ())
 
 
 def text(name: str) -> str:
@@ -194,7 +198,7 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
             budget.take(entry.size)
             content = io.BytesIO(entry.read())
             for inner in _expanded(_of_archive(entry.path.name, content, budget), depth + 1, budget):
-                yield Entry(entry.path / inner.path, inner.kind, inner.size, inner.read, inner.problem)
+                yield replace(inner, path=entry.path / inner.path)
         except OverBudget:
             raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
@@ -207,7 +211,7 @@ def _of_folder(root: Path) -> Iterator[Entry]:
     for folder, folders, files in os.walk(root, onerror=unread.append):
         if len(os.fsencode(folder)) > _LONGEST_FOLDER:
             folders.clear()
-            yield Entry(_below(root, Path(folder)), "damaged", 0, lambda: b"", "folders with names so long are not read")
+            yield Entry(_below(root, Path(folder)), "damaged", 0, lambda: b"", "folders with names so long cannot be read")
             continue
         # A link to a folder is listed among the folders, and never followed.
         folders.sort()
@@ -224,7 +228,7 @@ def _of_folder(root: Path) -> Iterator[Entry]:
         place = _below(root, Path(folder))
         if folders and len(place.parts) >= _DEEPEST_FOLDER:
             folders.clear()  # os.walk calls itself for each level
-            yield Entry(place, "damaged", 0, lambda: b"", f"folders more than {_DEEPEST_FOLDER} deep are not read")
+            yield Entry(place, "damaged", 0, lambda: b"", f"folders more than {_DEEPEST_FOLDER} deep cannot be read")
     for error in unread:
         place = _below(root, Path(error.filename))
         place = place if place.parts else PurePosixPath(text(root.name))
@@ -282,7 +286,7 @@ def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if not info.filename.endswith("/"):
             yield Entry(_path(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
-                        info.file_size, lambda info=info: _read_member(archive, info))
+                        info.file_size, lambda info=info: _read_member(archive, info), time=info.date_time)
 
 
 def _read_member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> bytes:
@@ -296,7 +300,14 @@ def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:
         if not member.isdir():
             kind = "file" if member.isreg() else "link" if member.issym() or member.islnk() else "other"
             yield Entry(_path(member.name), kind, member.size,
-                        lambda member=member: _read_up_to(archive.extractfile(member), member.name))
+                        lambda member=member: _read_up_to(archive.extractfile(member), member.name),
+                        time=_time(member.mtime))
+
+
+def _time(seconds: float) -> tuple[int, ...]:
+    with contextlib.suppress(OSError, OverflowError, ValueError):  # of a member that claims an impossible one
+        return time.gmtime(seconds)[:6]
+    return ()
 
 
 def _path(name: str) -> PurePosixPath:

@@ -14,7 +14,7 @@ _PLACE = re.compile(r"(?P<file>[^\s:]+):(?P<line>\d+):(?P<column>\d+): ")
 _OURS = re.compile(r"\S*?/headers/(?=chapters/)")
 _OF_COMPILER = re.compile(r"(?:cc1plus|as|ld|collect2|g\+\+|c\+\+|clang\+*)(?:-[\d.]+)?: ")
 _ELSEWHERE = "The first error is in a file that is neither the submission nor a header: its words are not shown."
-_ASSEMBLER = "The assembler refuses an asm statement."
+ASSEMBLER = "The assembler refuses an asm statement."
 _TOO_LARGE = re.compile(r"file too large|file size limit exceeded", re.IGNORECASE)
 _TOO_MUCH_DATA = "It compiles to more than 256 MiB. Is an array with values that large?"
 _LONGEST = 400  # characters of a line
@@ -27,7 +27,7 @@ def compiler_says(output: str, exercise: Exercise, file: str, source: str) -> st
     if not any(places):
         if _TOO_LARGE.search(output):
             return _TOO_MUCH_DATA
-        return _ASSEMBLER if "Assembler messages" in output else "\n".join(filter(_OF_COMPILER.match, lines))
+        return ASSEMBLER if "Assembler messages" in output else "\n".join(filter(_OF_COMPILER.match, lines))
     kept = []
     for line, place in zip(lines, places):
         if place and not _may_be_shown(place["file"], file):

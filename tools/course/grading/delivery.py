@@ -16,6 +16,7 @@ from grading.names import Student, is_late, look, platforms_of, safe, student_of
 from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
+from terminal import counted
 
 _LOOSE = "a loose file, and its name does not say whose it is"
 
@@ -69,39 +70,59 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
         names = _names(path, out)
         if not path.is_dir() and _is_gradescopes(names):
             raise BadInput(f"grade: {path} is Gradescope's download: unpack it, and name the folder")
-        taken, left = len(delivery.handed), len(delivery.left_out)
-        if path.is_dir() and _is_class(names, exercises, at_top=True):
-            _take_folder(delivery, path, out, exercises)
+        taken, doubted = len(delivery.handed), len(delivery.doubts)
+        if path.is_dir() and (_is_class(names, exercises, at_top=True) or not _is_one(names, exercises)):
+            _take_folder(delivery, path, names, out, exercises)
         elif not path.is_dir() and _is_class(_in_root(names)[1], exercises, at_top=False):
-            _take_archive(delivery, path, names)
-        elif path.is_dir() and not _is_one(names, exercises):
-            _take_folder(delivery, path, out, exercises)
+            _take_archive(delivery, path, names, exercises)
         else:
             delivery.add(_student(path), Place(path))
-        if path.is_dir():
-            _doubt(delivery, path, delivery.handed[taken:], len(delivery.left_out) - left, names, exercises)
+        if len(delivery.handed) == taken + 1 and len(delivery.doubts) == doubted:
+            _doubt_one(delivery, path, delivery.handed[-1], out, exercises)
     delivery.handed = _named_apart(sorted(delivery.handed, key=lambda one: (one.name, str(one.places[0].path))))
     return delivery
 
 
-def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, names: list[PurePosixPath],
+def _doubt(delivery: Delivery, path: Path, taken: int, left_out: int, names: list[PurePosixPath],
            exercises: list[Exercise]) -> None:
-    """Tells whether a folder is probably not a class: most of it is left out, or most of its folders hold no exercise's
-    file."""
+    """Adds a doubt if a folder or archive is probably not a class: most of it is left out, or most of its folders hold
+    no exercise's file. `taken` and `left_out`: what was before it."""
     holding = {name.parts[0] for name in names if is_archive(name.name) or rank_of(name, exercises)}
-    empty = sum(all(place.path != path and place.path.relative_to(path).parts[0] not in holding for place in one.places)
-                for one in handed)
+    handed, left_out = delivery.handed[taken:], len(delivery.left_out) - left_out
+    empty = sum(not any(text(place.name) in holding for place in one.places) for one in handed)
     if left_out > len(handed) or 2 * empty > len(handed):
-        delivery.doubts.append(f"{path} has no form that is known: of {len(handed)} submissions in it {empty} hold no "
-                               f"exercise's file, and {left_out} other things are left out.")
+        delivery.doubts.append(f"{path} has no form that is known: of {counted(len(handed), 'submission')} in it {empty} "
+                               f"hold no exercise's file, and {left_out} other things are left out.")
 
 
-def _names(path: Path, out: Path) -> list[PurePosixPath]:
-    """Returns the names in it, in an archive also in archives inside it; none if it cannot be read."""
+def _doubt_one(delivery: Delivery, path: Path, one: Handed, out: Path, exercises: list[Exercise]) -> None:
+    """Adds a doubt if the only submission in a path may be several: it has an exercise in more than one folder, and no
+    platform says whose it is."""
+    place = one.places[0]
+    if len(one.places) > 1 or place.inside or student_of(place.name, is_folder=True):
+        return
+    folders: dict[tuple[str, int], set[PurePosixPath]] = {}
+    for name in _names(place.path, out, opened=True):
+        if ranked := rank_of(name, exercises):
+            folders.setdefault((ranked[0].function, ranked[1]), set()).add(name.parent)
+    best = {function: min(rank for other, rank in folders if other == function) for function, _ in folders}
+    several = [function for function, rank in best.items() if len(folders[function, rank]) > 1]
+    if several:
+        delivery.doubts.append(f"{path} is taken for one submission, but {several[0]} lies in "
+                               f"{len(folders[several[0], best[several[0]]])} of its folders. If they are of several "
+                               "students, name the folder that holds theirs.")
+    elif not folders:
+        delivery.doubts.append(f"{path} is taken for one submission, but holds no exercise's file.")
+
+
+def _names(path: Path, out: Path, opened: bool = False) -> list[PurePosixPath]:
+    """Returns the names in it, in an archive also in archives inside it, and in a folder if they are `opened`; none if
+    it cannot be read."""
     if not path.is_dir():
         return names_apart(path)
     marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
-    return [name for name in names_in(path, opened=False) if marks not in name.parents]
+    names = names_apart(path) if opened else names_in(path, opened=False)
+    return [name for name in names if marks not in name.parents]
 
 
 def _is_gradescopes(names: list[PurePosixPath]) -> bool:
@@ -135,20 +156,22 @@ def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: boo
     return loose == 0 and max(Counter(function for function, _ in held).values(), default=0) > 1
 
 
-def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Exercise]) -> None:
+def _take_folder(delivery: Delivery, folder: Path, names: list[PurePosixPath], out: Path,
+                 exercises: list[Exercise]) -> None:
+    before = len(delivery.handed), len(delivery.left_out)
     known: list[tuple[Student, Place]] = []
-    taken = False
     children = sorted(folder.iterdir())
     platforms, of_gradescope = platforms_of(text(child.name) for child in children), submitters(folder)
     # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
     # look like one, and to hold submissions under the names of others.
-    is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
-                   for child in children) == 1
+    children = [child for child in children
+                if not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)]
+    if not children:
+        raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no archives")
+    if len(children) == 1 and _take_only(delivery, children[0], out, exercises):
+        return
     for child in children:
         shown = f"{text(folder.name)}/{text(child.name)}"
-        if _real(child) == _real(out) or is_litter(PurePosixPath(child.name)):
-            continue
-        taken = True
         if child.is_symlink():
             delivery.left_out.append((shown, "a link, and those are not followed"))
         elif child.name.startswith("."):
@@ -161,43 +184,48 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
                 delivery.add(student, Place(child))
         elif of_platform := student_of(text(child.name), platforms, child.is_dir()):
             known.append((of_platform[0], Place(child)))
-        elif child.is_dir():
-            if is_alone and _is_class(_names(child, out), exercises, at_top=False):
-                _take_folder(delivery, child, out, exercises)
-            else:
-                delivery.add(_student(child), Place(child))
-        elif is_archive(child.name):
-            names = _names(child, out) if is_alone else []
-            if is_alone and _is_class(_in_root(names)[1], exercises, at_top=False):
-                _take_archive(delivery, child, names)
-            else:
-                delivery.add(_student(child), Place(child))
+        elif child.is_dir() or is_archive(child.name):
+            delivery.add(_student(child), Place(child))
         else:
             is_loose = rank_of(PurePosixPath(child.name), exercises)
             why = _LOOSE if is_loose else "neither a folder nor an archive"
             delivery.left_out.append((shown, why))
-    if not taken:
-        raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no archives")
     delivery.add_known(known)
+    _doubt(delivery, folder, *before, names, exercises)
+
+
+def _take_only(delivery: Delivery, child: Path, out: Path, exercises: list[Exercise]) -> bool:
+    """Adds a class, if the only folder or archive in a folder is one, and tells whether it is."""
+    if child.is_symlink() or child.name.startswith(".") or student_of(text(child.name), is_folder=child.is_dir()):
+        return False
+    names = _names(child, out) if child.is_dir() or is_archive(child.name) else []
+    if not any(_is_class(some, exercises, at_top=False) for some in (names, _in_root(names)[1])):
+        return False
+    if child.is_dir():
+        _take_folder(delivery, child, names, out, exercises)
+    else:
+        _take_archive(delivery, child, names, exercises)
+    return True
 
 
 def _in_root(names: list[PurePosixPath]) -> tuple[PurePosixPath, list[PurePosixPath]]:
-    """Returns the folder that holds everything in an archive, if there is one, and the names in it. Who packs a folder
-    again has it in the archive. A folder with two others may be one student's, with two versions."""
-    written = [name for name in names if not is_litter(name)]
-    roots = {name.parts[0] for name in written}
-    inside = [PurePosixPath(*name.parts[1:]) for name in written if len(name.parts) > 1]
+    """Returns the folder that holds everything, if there is one, and the names in it. Who packs a folder again has it in
+    the archive, and maybe further ones around it. A folder with two others may be one student's, with two versions."""
+    names = [name for name in names if not is_litter(name)]
+    common = os.path.commonprefix([name.parts[:-1] for name in names])
+    depth = next((k for k, top in enumerate(common)
+                  if is_archive(top) or top.lower() == "chapters" or student_of(top, is_folder=True)), len(common))
+    inside = [PurePosixPath(*name.parts[depth:]) for name in names]
     tops = {name.parts[0] for name in inside}
-    root = roots.pop() if len(roots) == 1 else ""
-    if (not root or len(inside) < len(written) or is_archive(root) or student_of(root, is_folder=True)
-            or (len(tops) < 3 and not all(map(student_of, tops)))):
+    if len(tops) < 3 and not all(map(student_of, tops)):
         return PurePosixPath(), names
-    return PurePosixPath(root), inside
+    return PurePosixPath(*common[:depth]), inside
 
 
-def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath]) -> None:
+def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath], exercises: list[Exercise]) -> None:
     """Adds a submission for each folder or archive at the archive's top, and for each student whose loose files lie
     there."""
+    before = len(delivery.handed), len(delivery.left_out)
     known: list[tuple[Student, Place]] = []
     root, names = _in_root(names)
     tops = list(dict.fromkeys(name.parts[0] for name in names))
@@ -212,6 +240,7 @@ def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath])
         else:
             delivery.add(Student(without_suffix(top)), place)
     delivery.add_known(known)
+    _doubt(delivery, archive, *before, names, exercises)
 
 
 def _real(path: Path) -> Path:

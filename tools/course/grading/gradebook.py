@@ -11,7 +11,7 @@ from grading.judge import VERDICTS
 from grading.report import RULE
 from grading.results import tampered
 from grading.roster import Roster
-from grading.submission import A_GUESS, NOT_TAKEN, NOTHING_FOUND
+from grading.submission import A_GUESS, NOT_TAKEN, NOTHING_FOUND, UNREAD
 from grading.text import markdown, one_line
 
 
@@ -69,9 +69,10 @@ def not_graded(results: list[dict], of_class: Class) -> list[str]:
 
 
 def uncertain(results: list[dict]) -> list[str]:
-    """Returns a line for each note about a file that was guessed, or that has no exercise's name."""
+    """Returns a line for each note about a file that was guessed, that cannot be read, or that has no exercise's name."""
     return [f"{one_line(result['submission'])}: {one_line(note)[:_LONGEST]}" for result in results
-            for note in result["notes"] if A_GUESS in note or note.startswith((NOTHING_FOUND, NOT_TAKEN))]
+            for note in result["notes"]
+            if A_GUESS in note or UNREAD in note or note.startswith((NOTHING_FOUND, NOT_TAKEN))]
 
 
 def _percents(results: list[dict]) -> list[float]:

@@ -26,6 +26,7 @@ from terminal import Bar
 
 _MEMORY = BUILD / "grade"
 _LONGEST = 2000  # characters of a note
+_FREE = 3.0  # seconds of processor time in which a submission may be read; more counts
 
 
 class Grader:
@@ -98,7 +99,7 @@ class Grader:
         """Grades one submission. `on_exercise` gets the results so far, and the number of exercises left."""
         submission = read_apart(handed, self.exercises, self._attempt)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
-        user, lost = self._users.get(), 0.0
+        user, lost = self._users.get(), max(0.0, submission.seconds - _FREE)
         try:
             for count, exercise in enumerate(self.exercises):
                 if on_exercise:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import diagnostics
 from grading.allowed import REMOVED, REPLACED, not_allowed, shown, tampering
-from grading.complaints import compiler_says
+from grading.complaints import ASSEMBLER, compiler_says
 from grading.confined import Ended, Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
@@ -87,15 +87,17 @@ def options_of(compiler: str) -> list[str]:
     return _CLANGS_OWN if "clang" in compiler else ["-fno-diagnostics-show-caret"]
 
 
+_STOPPED = "the compiler was stopped by a limit on its time, memory or output"
 _WORDLESS = "The compiler gave up, and named no line of the file: it may have needed more memory than there is."
 
 
 def _not_compiled(exercise: Exercise, source: Source, file: Path, ended: Ended) -> Made:
-    stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
-        ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
-        or "signal terminated program" in ended.output) else ""
     said = compiler_says(ended.output, exercise, str(file), source.text)
-    return Made(None, "does not compile", message=stopped + said or _WORDLESS)
+    if (ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
+            or "signal terminated program" in ended.output):
+        # What the assembler says then is not why it ended.
+        said = _STOPPED if said in ("", ASSEMBLER) else f"{_STOPPED}\n{said}"
+    return Made(None, "does not compile", message=said or _WORDLESS)
 
 
 def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Workshop, isolation: Isolation,

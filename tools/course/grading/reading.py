@@ -16,7 +16,7 @@ from grading.archives import is_archive, names_in
 from grading.choices import ATTEMPTS
 from grading.confined import Limits, run
 from grading.names import Student
-from grading.submission import Handed, Place, Source, Submission, read_submission
+from grading.submission import UNREAD, Handed, Place, Source, Submission, read_submission
 from manifest import Exercise, all_exercises
 
 _READING = Limits(cpu=30, wall=120, memory=2 << 30, files=128 << 20, processes=0, output=1 << 16)
@@ -38,27 +38,28 @@ def read_apart(handed: Handed, exercises: list[Exercise], attempt: str = ATTEMPT
            for place in handed.places):
         return read_submission(handed, exercises, attempt)
     try:
-        found = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
-                        "late": handed.student.late, "attempt": attempt,
-                        "exercises": [exercise.function for exercise in exercises]})
+        found, seconds = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
+                                 "late": handed.student.late, "attempt": attempt,
+                                 "exercises": [exercise.function for exercise in exercises]})
     except NotRead as error:
-        return Submission(handed.name, handed.student, {}, [*handed.notes, f"it cannot be read: {error}"])
+        return Submission(handed.name, handed.student, {}, [*handed.notes, f"it {UNREAD}: {error}"])
     sources = {function: _unpacked(source) for function, source in found["sources"].items()}
     attempts = {function: [_unpacked(source) for source in some] for function, some in found["attempts"].items()}
-    return Submission(handed.name, handed.student, sources, [*handed.notes, *found["notes"]], attempts)
+    return Submission(handed.name, handed.student, sources, [*handed.notes, *found["notes"]], attempts, seconds)
 
 
 def names_apart(path: Path) -> list[PurePosixPath]:
     """Returns the names in an archive and, if time allows, in archives inside it; none of damaged ones."""
     for opened in (True, False):
         try:
-            return [PurePosixPath(name) for name in _asked({"names": str(path), "opened": opened})]
+            return [PurePosixPath(name) for name in _asked({"names": str(path), "opened": opened})[0]]
         except NotRead:
             continue
     return []
 
 
-def _asked(request: dict):
+def _asked(request: dict) -> tuple[dict | list, float]:
+    """Returns the answer, and the seconds of processor time that it took."""
     with tempfile.TemporaryDirectory(prefix="reading-") as folder:
         asked, answered = Path(folder, "request"), Path(folder, "answer")
         limits = {"cpu": _READING.cpu, "memory": _READING.memory, "files": _READING.files}
@@ -66,7 +67,7 @@ def _asked(request: dict):
         command = [sys.executable, "-I", "-S", "-c", _START, str(_COURSE), str(asked), str(answered)]
         ended = run(command, _READING, dict(os.environ))
         if ended.code == 0 and not ended.timed_out and not ended.too_much:
-            return json.loads(answered.read_text(encoding="utf-8"))
+            return json.loads(answered.read_text(encoding="utf-8")), ended.cpu
     if ended.timed_out or ended.code in (-signal.SIGXCPU, -signal.SIGKILL):
         raise NotRead("that takes too long")
     if "MemoryError" in ended.output:

@@ -24,10 +24,12 @@ _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "
 _FIRST = ("first name", "firstname", "given name", "vorname", "prénom", "prenom", "nombre", "nome", "voornaam")
 _LAST = ("last name", "lastname", "surname", "family name", "nachname", "familienname", "nom", "nom de famille",
          "apellido", "apellidos", "apellido(s)", "cognome", "apelido", "sobrenome", "achternaam")
-_GITHUB = "github username"
+_NAME, _GITHUB = "name", "github username"
 _BRANCH = re.compile(r"-(?:main|master)$")  # at the end of an archive that GitHub makes
 _ADDRESSES = ("email address", "email")
-_NUMBERS = ("id", "identifier", "number", "participant")
+_NUMBERS = ("id", "identifier", "number", "participant", "sid", "student id", "studentid", "student number",
+            "orgdefinedid", "org defined id", "matriculation number", "matrikelnummer", "matrikelnr", "matrikelnr.",
+            "matrikel-nr.", "numéro étudiant", "numéro d'étudiant", "matricola", "studentnummer")
 _PARTICIPANT = re.compile(r"(\D*[^\W\d_]\D*?)\s*(\d+)")  # "Participant 101", "Teilnehmer/in 101"
 
 _ABOVE_TITLES = re.compile(r"\A(?:\s*\n|sep=.\r?\n)+")  # as spreadsheets write them
@@ -124,10 +126,22 @@ class Roster:
         return tuple(title for title in self.columns if _plain(title) in _ADDRESSES or has_addresses(title))
 
     @functools.cached_property
+    def first_and_last(self) -> tuple[str, str] | None:
+        """Returns the titles of first and last names in separate columns. `Name` beside first names has last names, unless
+        most of them contain the first name."""
+        titles = {_plain(title): title for title in self.columns}
+        first, last = (next((titles[name] for name in names if name in titles), "") for names in (_FIRST, _LAST))
+        if first and not last and _NAME in titles:
+            whole = sum(set(_words(row[first])) <= set(_words(row[titles[_NAME]])) for row in self.rows)
+            last = titles[_NAME] if 2 * whole < len(self.rows) else ""
+        return (first, last) if first and last else None
+
+    @functools.cached_property
     def name_columns(self) -> tuple[str, ...]:
         """Returns the titles of columns with whole names, logins or addresses, the most telling first. In Moodle's
         worksheet the name follows the participant, unless names are hidden: then the state does, equal for many."""
-        known = [title for name in _NAMES for title in self.columns if _plain(title) == name]
+        known = [title for name in _NAMES for title in self.columns
+                 if _plain(title) == name and title not in (self.first_and_last or ())]
         second = [title for title in self.columns[1:2] if self.participants and self._are_names(title)]
         return tuple(dict.fromkeys([*second, *known, *self._address_columns]))
 
@@ -161,11 +175,9 @@ class Roster:
 
     def _names_in(self, row: dict[str, str]) -> list[str]:
         """Returns all names of the student in a row, also first and last name in separate columns."""
-        by_title = {_plain(title): row[title] for title in row}
         whole = [row[title] for title in self.name_columns]
-        first, last = (next((by_title[title] for title in titles if title in by_title), "")
-                       for titles in (_FIRST, _LAST))
-        return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
+        parts = [row[title] for title in self.first_and_last or ()]
+        return ([" ".join(parts)] if parts and all(part.strip() for part in parts) else []) + whole
 
     def name_of(self, row: dict[str, str]) -> str:
         """Returns the name, or the number of a student whose name the platform hides."""
@@ -194,9 +206,8 @@ def read_roster(file: Path) -> Roster:
         rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
-    titles = {_plain(title) for title in columns}
     roster = Roster(columns, rows)
-    if not (roster.name_columns or roster.number_columns) and not (titles & set(_FIRST) and titles & set(_LAST)):
+    if not (roster.name_columns or roster.number_columns or roster.first_and_last):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
     # Canvas' second line says how many points are possible, and there is a student who tests.
@@ -220,6 +231,10 @@ def _digits(text: str) -> str:
     return "".join(re.findall(r"\d+", text))
 
 
+def _words(name: str) -> list[str]:
+    return name.replace(",", " ").split()
+
+
 def _spellings(name: str) -> set[str]:
     """Returns equal spellings: `Lee, Ann`, `Ann Lee` and `leeann`, and letters with and without accents."""
     def plain(text: str) -> str:
@@ -227,7 +242,7 @@ def _spellings(name: str) -> set[str]:
         return "".join(letter for letter in letters if letter.isalnum())
     last, comma, first = name.partition(",")
     ways = {plain(name), plain(name.partition("@")[0])} | ({plain(first + last)} if comma else set())
-    words = name.replace(",", " ").split()
+    words = _words(name)
     if len(words) > 1:
         ways |= {plain(words[-1] + "".join(words[:-1])), plain("".join(words[1:]) + words[0])}
     return ways - {""}

@@ -1,8 +1,9 @@
 """The submitted files with an exercise's name, from a folder or an archive, and no others."""
 
+import itertools
 import os
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, cause, entries_of
@@ -22,7 +23,9 @@ _COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(
                    r"|^(?:copy of|kopie von) ")
 # Words of notes about what an instructor should look at.
 A_GUESS, NOTHING_FOUND, NOT_TAKEN = ", a guess", "no file of an exercise was found in", "not an exercise's file, so not taken"
+UNREAD = "cannot be read"
 _ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")
+_DIGITS = re.compile(r"([0-9]+)")
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,7 @@ class Submission:
     sources: dict[str, Source]  # by the exercise's function
     notes: list[str] = field(default_factory=list)
     attempts: dict[str, list[Source]] = field(default_factory=dict)  # where the best counts: all, the last one first
+    seconds: float = field(default=0.0, compare=False)  # of processor time in which it was read
 
 
 @dataclass(frozen=True)
@@ -88,10 +92,11 @@ def read_submission(handed: Handed, exercises: list[Exercise], attempt: str = AT
         try:
             for entry in entries_of(place.path, place.inside):
                 if place.inside:
-                    entry = _moved(entry, "/".join(entry.path.parts[len(PurePosixPath(place.inside).parts):]))
-                _look(submission, entry, attempt_of(place.name), exercises, seen, found)
+                    inside = "/".join(entry.path.parts[len(PurePosixPath(place.inside).parts):])
+                    entry = replace(entry, path=PurePosixPath(inside or entry.path.name))
+                _look(submission, entry, place if len(handed.places) > 1 else None, exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} cannot be read: {cause(error)}")
+            submission.notes.append(f"{place.path.name} {UNREAD}: {cause(error)}")
     for function, candidates in found.items():
         _choose(submission, function, candidates, attempt)
     if not found:
@@ -116,7 +121,7 @@ def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
                                 + (f" and {more} more" if more > 0 else ""))
     elif seen:
         submission.notes.append(f"{NOTHING_FOUND} {_listed(seen)}")
-    elif not any("cannot be read" in note for note in submission.notes):
+    elif not any(UNREAD in note for note in submission.notes):
         submission.notes.append("no file of an exercise was found: it is empty")
 
 
@@ -146,41 +151,77 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
     return exercise, 1 if parts[-2] == exercise.folder else 2
 
 
-def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Exercise], seen: list[str],
+def _look(submission: Submission, entry: Entry, place: Place | None, exercises: list[Exercise], seen: list[str],
           found: dict[str, list[_Candidate]]) -> None:
+    """Adds a file to those that count. `place`: where it lies, if the submission has several."""
     if entry.kind == "damaged":
         submission.notes.append(entry.problem)
         return
     ranked = rank_of(entry.path, exercises)
-    if ranked:
-        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], attempt, entry))
-    else:
+    if not ranked:
         seen.append(str(entry.path))
+        return
+    attempt = attempt_of(place.name) if place else ""
+    if place and entry.path.name != place.name:
+        entry = replace(entry, path=PurePosixPath(place.name) / entry.path)
+    found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], attempt, entry))
 
 
 def _choose(submission: Submission, function: str, candidates: list[_Candidate], attempt: str) -> None:
-    """Chooses the most certain file; of equal ones the last or first attempt, and the first that is written."""
-    candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
-    candidates.sort(key=lambda one: one.attempt, reverse=attempt != "first")
-    candidates.sort(key=lambda one: one.rank)
+    """Chooses the most certain file that is written; of equal ones the last or first attempt, and version in it."""
+    candidates = _in_order(candidates, last=attempt != "first")
     if len(candidates) > _MOST_CANDIDATES:
         submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were examined")
         del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
     chosen = _chosen(sources)
     submission.sources[function] = sources[chosen]
-    attempts = sorted({one.attempt for one in candidates}, reverse=True)
-    if attempt == "best" and len(attempts) > 1:
-        of_attempts = [[source for one, source in zip(candidates, sources) if one.attempt == name] for name in attempts]
-        submission.attempts[function] = [some[_chosen(some)] for some in of_attempts]
+    if sources[chosen].problem:
+        submission.notes.append(sources[chosen].problem)
+    if attempt == "best" and len(versions := _versions(candidates, sources)) > 1:
+        submission.attempts[function] = versions
         return  # which one is taken is known when they are judged
     taken = candidates[chosen]
     if taken.rank > 0 or len(candidates) > 1:
         others = [source.path for k, source in enumerate(sources) if k != chosen]
-        equal = any((one.rank, one.attempt) == (taken.rank, taken.attempt) and not _is_unwritten(source)
+        equal = any((one.rank, one.attempt) == (taken.rank, taken.attempt) and _is_answer(source)
                     for k, (one, source) in enumerate(zip(candidates, sources)) if k != chosen)
-        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}" + (A_GUESS if equal and taken.rank else "")
+        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}" + (A_GUESS if equal else "")
         submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
+
+
+def _in_order(candidates: list[_Candidate], last: bool) -> list[_Candidate]:
+    """Sorts the most certain file first; of equal ones the last attempt or the first, and in it what is less deep."""
+    def kind(one: _Candidate) -> tuple[int, str, int]:
+        return one.rank, one.attempt, len(one.entry.path.parts)
+
+    candidates = sorted(candidates, key=kind)
+    candidates.sort(key=lambda one: one.attempt, reverse=last)
+    candidates.sort(key=lambda one: one.rank)
+    return [one for _, some in itertools.groupby(candidates, kind) for one in _by_age(list(some), last)]
+
+
+def _by_age(candidates: list[_Candidate], last: bool) -> list[_Candidate]:
+    """Sorts versions by the numbers in their paths, if nothing else differs: v10 after v9. Others it sorts by the times
+    in their archive, and where there are none by their paths."""
+    def key(one: _Candidate) -> tuple:
+        parts = _DIGITS.split(str(one.entry.path))
+        number = [(len(part.lstrip("0")), part.lstrip("0")) for part in parts[1::2]]
+        return (number,) if are_numbered else (one.entry.time, parts[::2], number)
+
+    are_numbered = len({_DIGITS.sub("", str(one.entry.path)) for one in candidates}) == 1
+    return sorted(candidates, key=key, reverse=last)
+
+
+def _versions(candidates: list[_Candidate], sources: list[Source]) -> list[Source]:
+    """Returns the file of each attempt, the last one first. If others in it are written and as certain, these, too."""
+    found = []
+    for attempt in sorted({one.attempt for one in candidates}, reverse=True):
+        some = [(one.rank, source) for one, source in zip(candidates, sources) if one.attempt == attempt]
+        rank, taken = some[_chosen([source for _, source in some])]
+        found += [source for other, source in some
+                  if source is taken or (other == rank and not taken.problem and _is_answer(source))]
+    return found
 
 
 def _chosen(sources: list[Source]) -> int:
@@ -188,11 +229,11 @@ def _chosen(sources: list[Source]) -> int:
     why it can't be taken."""
     if sources[0].problem:
         return 0
-    return next((k for k, source in enumerate(sources) if not source.problem and not _is_unwritten(source)), 0)
+    return next((k for k, source in enumerate(sources) if _is_answer(source)), 0)
 
 
-def _is_unwritten(source: Source) -> bool:
-    return is_stub(source.text) or is_empty(source.text)
+def _is_answer(source: Source) -> bool:
+    return not (source.problem or is_stub(source.text) or is_empty(source.text))
 
 
 def _is_worth_a_line(name: str) -> bool:
@@ -217,22 +258,18 @@ def _listed(names: list[str]) -> str:
     return listed + (f" and {more} more" if more > 0 else "")
 
 
-def _moved(entry: Entry, path: str) -> Entry:
-    return Entry(PurePosixPath(path or entry.path.name), entry.kind, entry.size, entry.read, entry.problem)
-
-
 def _read(entry: Entry) -> Source:
     path = str(entry.path)[:_NAME]
     if entry.kind == "link":
-        return Source(path, problem=f"{path} is a link, and those are not followed", is_link=True)
+        return Source(path, problem=f"{path} {UNREAD}: it is a link, and those are not followed", is_link=True)
     if entry.kind != "file":
-        return Source(path, problem=f"{path} is no regular file")
+        return Source(path, problem=f"{path} {UNREAD}: it is no regular file")
     try:
         content = entry.read() if entry.size <= LARGEST else b"x" * (LARGEST + 1)
     except Exception as error:  # as above
-        return Source(path, problem=f"{path} cannot be read: {cause(error)}")
+        return Source(path, problem=f"{path} {UNREAD}: {cause(error)}")
     if len(content) > LARGEST:
-        return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
+        return Source(path, problem=f"{path} {UNREAD}: it is larger than {LARGEST >> 10} KiB")
     return Source(path, _as_utf_8(content))
 
 
