@@ -27,7 +27,7 @@ struct Options {
   fs::path out;
   bool quick = false;
   std::string shard = "1/1";
-  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::string jobs = std::to_string(std::max(1U, std::thread::hardware_concurrency()));
 };
 
 struct Shard {
@@ -163,11 +163,12 @@ void print_claims(const Claims& claims) {
 
 int execute(const Experiment& experiment, const Options& options, const std::string& program_file) {
   const Shard shard = parse_shard(options.shard);
+  const int jobs = parse_whole("jobs", options.jobs, 1, 9999);
   const Parts parts(options.out / "parts", plan(experiment, options.quick), digest(program_file));
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < experiment.points.size(); ++k)
     if (shard.has(k) && !parts.has(k)) missing.push_back(k);
-  compute(experiment, missing, experiment.timed ? 1 : options.jobs, parts);
+  compute(experiment, missing, experiment.timed ? 1 : jobs, parts);
   if (shard.count > 1) {  // others may still be at work, in the same folder
     std::cout << "shard " << options.shard
               << " is done; without --shard the parts that are there become a table\n";
@@ -195,7 +196,7 @@ int run_experiment(int argc, char** argv, const std::function<Experiment(Size)>&
   app.add_option("--out", options.out, "folder to write to")->required();
   app.add_flag("--quick", options.quick, "the size that the tests run");
   app.add_option("--shard", options.shard, "i/n: only every n-th point, from the i-th");
-  app.add_option("--jobs", options.jobs, "how many points at a time")->check(CLI::PositiveNumber);
+  app.add_option("--jobs", options.jobs, "how many points at a time");
   if (more_options) more_options(app);
   try {
     app.allow_extras();

@@ -7,15 +7,17 @@
 // one or more values: one point for each combination, as in ./course run --sweep. ./course plot also accepts the same
 // --sweep NAME=A,B. Refused combinations are skipped and counted. The error is the scene's own, so a file must have an
 // answer, its "expected". The cost is the median of the microseconds per step with its quartiles, and the row updates
-// per second, which are the same on every machine.
+// per second, which are the same on every machine. A run that diverges is lost: its error is infinite, and it has no
+// cost.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
@@ -37,12 +39,15 @@ struct Chosen {
   std::string scene = "stack";
   std::vector<std::string> set;
   std::string time, warm_start = "off";
+  // The first three leave no sweeps of a solver, so they are known before the solver and its iterations.
   std::vector<Option> options = {
+      {"accuracy", "", "share of the right-hand side that auto may leave", &TypedRun::accuracy},
+      {"soft-steps", "", "substeps of soft steps", &TypedRun::soft_steps},
+      {"integrator-order", "", "order of a step: 2, or 4, composed of five leapfrogs",
+       &TypedRun::integrator_order},
       {"solver", "", "solvers", &TypedRun::solver, true, "gauss_seidel"},
       {"h", "", "steps [s]", &TypedRun::h, false, "1/60,1/120,1/240"},
       {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
-      {"integrator-order", "", "order of a step: 2, or 4, composed of five leapfrogs",
-       &TypedRun::integrator_order},
       {"row-order", "", "of the rows: given, up, down, random, interleaved", &TypedRun::row_order},
       {"seed", "", "of a random order", &TypedRun::seed},
       {"contact-margin", "", "largest gaps of a contact [m]", &TypedRun::contact_margin},
@@ -52,21 +57,7 @@ struct Chosen {
       {"engine", "", "fast, plain", &TypedRun::engine},
       {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
       {"max-parts", "", "largest number of parts of a step", &TypedRun::max_parts},
-      {"accuracy", "", "share of the right-hand side that auto may leave", &TypedRun::accuracy},
-      {"soft-steps", "", "substeps of soft steps", &TypedRun::soft_steps},
       {"iterations", "", "most sweeps in a step", &TypedRun::iterations, false, "10,30,100,300,1000"}};
-
-  /// Returns the values of an option: the given ones, or the usual ones. Accuracy and soft steps have no sweeps of a
-  /// solver.
-  std::string values_of(const Option& option) const {
-    const auto is_given = [this](const std::string& name) {
-      return std::any_of(options.begin(), options.end(),
-                         [&](const Option& one) { return one.name == name && !one.values.empty(); });
-    };
-    if (!option.values.empty()) return option.values;
-    const bool of_sweeps = option.name == "solver" || option.name == "iterations";
-    return of_sweeps && (is_given("accuracy") || is_given("soft-steps")) ? "" : option.usual;
-  }
 };
 
 /// A run, and the values that distinguish its line from others.
@@ -77,21 +68,36 @@ struct Asked {
   std::vector<std::string> values = {};  ///< NAME=VALUE of each option with several values
 };
 
-std::vector<std::string> parts(const std::string& list) {
+/// The values of a list. Throws std::invalid_argument for a value that is there twice.
+std::vector<std::string> parts(const std::string& name, const std::string& list) {
   std::vector<std::string> found;
   std::istringstream text(list);
-  for (std::string part; std::getline(text, part, ',');) found.push_back(part);
+  for (std::string part; std::getline(text, part, ',');) {
+    if (std::find(found.begin(), found.end(), part) != found.end())
+      throw std::invalid_argument(name + " has the value " + part + " twice: leave one out");
+    found.push_back(part);
+  }
   return found;
 }
 
+/// The values of an option for a run: the given ones, or the usual ones if they have an effect.
+std::vector<std::string> values_of(const Option& option, const TypedRun& run, const SceneDescription& scene) {
+  if (!option.values.empty()) return parts(option.name, option.values);
+  const bool of_sweeps = option.name == "solver" || option.name == "iterations";
+  const bool composed = run.integrator_order ? *run.integrator_order == "4" : scene.integrator_order == 4;
+  if (of_sweeps && (run.accuracy || run.soft_steps || composed)) return {};
+  if (option.name == "iterations" && !scene.solves) return {};
+  return parts(option.name, option.usual);
+}
+
 /// Combines each of these runs with each value of the option.
-std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, const std::string& list,
-                         std::size_t most) {
-  std::vector<std::string> values = parts(list);
-  if (values.empty()) return some;
-  values.resize(std::min(values.size(), most));
+std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, const SceneDescription& scene,
+                         bool quick) {
   std::vector<Asked> all;
-  for (const Asked& asked : some)
+  for (const Asked& asked : some) {
+    std::vector<std::string> values = values_of(option, asked.run, scene);
+    if (values.empty()) all.push_back(asked);
+    if (quick && option.name == "iterations") values.resize(std::min<std::size_t>(values.size(), 3));
     for (const std::string& value : values) {
       all.push_back(asked);
       all.back().run.*option.typed = value;
@@ -100,13 +106,14 @@ std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, c
       std::string& text = values.size() > 1 || option.name == "solver" ? all.back().line : all.back().all_have;
       text += (text.empty() ? "" : " ") + (option.name == "solver" ? "" : option.name + " ") + value;
     }
+  }
   return all;
 }
 
 /// Each of these with each value of a parameter, NAME=VALUE,VALUE.
 std::vector<Asked> times(const std::vector<Asked>& some, const std::string& parameter) {
   const std::size_t equals = std::min(parameter.find('='), parameter.size() - 1);
-  const std::vector<std::string> values = parts(parameter.substr(equals + 1));
+  const std::vector<std::string> values = parts(parameter.substr(0, equals), parameter.substr(equals + 1));
   std::vector<Asked> all;
   for (const Asked& asked : some)
     for (const std::string& value : values) {
@@ -119,24 +126,20 @@ std::vector<Asked> times(const std::vector<Asked>& some, const std::string& para
   return all;
 }
 
-std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
+std::vector<Asked> all_runs(const Chosen& chosen, const SceneDescription& scene, bool quick) {
   TypedRun first;
   first.scene = chosen.scene;
   if (chosen.set.empty() && chosen.scene == Chosen().scene) first.set = {"bodies=10"};
   if (!chosen.time.empty()) first.time = chosen.time;
   std::vector<Asked> all = {{first, "", ""}};
   for (const std::string& parameter : chosen.set) all = times(all, parameter);
-  for (const Option& option : chosen.options) {
-    if (!solves && option.name == "iterations") continue;
-    all = times(all, option, chosen.values_of(option),
-                quick && option.name == "iterations" ? 3 : std::numeric_limits<std::size_t>::max());
-  }
+  for (const Option& option : chosen.options) all = times(all, option, scene, quick);
   for (Asked& asked : all)
     // Without another solver the plain engine runs the first step that has all features of the scene, which sweeps.
     if (asked.run.engine == "plain" && asked.run.solver == "gauss_seidel") asked.run.solver.reset();
   std::vector<Asked> with_starts;
   for (const Asked& asked : all)
-    for (const std::string& start : parts(chosen.warm_start)) {
+    for (const std::string& start : parts("warm-start", chosen.warm_start)) {
       with_starts.push_back(asked);
       with_starts.back().run.retype("warm_start", start);
       with_starts.back().values.push_back("warm-start=" + start);
@@ -145,10 +148,41 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
   return with_starts;
 }
 
+/// All that decides the result of a run: what was computed for another scene, file or option is not taken for it.
+std::string key_of(const Chosen& chosen, const Asked& asked) {
+  std::ostringstream key;
+  key << chosen.scene;
+  if (is_scene_file(chosen.scene)) {
+    std::ostringstream content;
+    content << std::ifstream(chosen.scene).rdbuf();
+    key << ' ' << std::hex << std::hash<std::string>()(content.str());
+  }
+  for (const std::string& parameter : asked.run.set) key << ' ' << parameter;
+  if (asked.run.time) key << " time=" << *asked.run.time;
+  for (const Option& option : chosen.options)
+    if (const auto& value = asked.run.*option.typed) key << ' ' << option.name << '=' << *value;
+  if (asked.run.warm_start) key << " warm-start";
+  return key.str();
+}
+
+/// Runs it. A run that diverges is lost, as in `./course run --sweep`.
+RunResult result_of(const SceneDescription& scene, const Parameters& set, const RunSettings& settings) {
+  try {
+    return run(scene, set, settings);
+  } catch (const SimulationDiverged&) {
+    RunResult lost;
+    lost.error = infinity;
+    lost.verdict.state = State::lost;
+    return lost;
+  }
+}
+
 std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, const Parameters& set,
                           const RunSettings& settings) {
-  const RunResult result = run(scene, set, settings);
-  const std::string method = settings.method.soft_steps ? "soft steps" : settings.method.solver;
+  const RunResult result = result_of(scene, set, settings);
+  const std::string method = settings.method.soft_steps              ? "soft steps"
+                             : settings.method.integrator_order == 4 ? "order four"
+                                                                     : settings.method.solver;
   return {{scene.name, asked.line.empty() ? method : asked.line, asked.all_have,
            double(settings.method.solver_limits.max_sweeps), settings.method.h, result.error,
            name_of(result.verdict.state), result.us_per_step.value_or(0), result.us_low, result.us_high,
@@ -177,13 +211,13 @@ std::vector<Asked> possible(const std::vector<Asked>& asked, const SceneDescript
     } else {
       refused.push_back({one, why});
     }
+  if (found.empty()) throw std::invalid_argument(refused.front().second);
   std::map<std::string, int> skipped;
   for (const auto& [one, why] : refused) {
     for (const std::string& value : one.values)
-      if (!taken.count(value)) throw std::invalid_argument(why);
+      if (!taken.count(value)) throw std::invalid_argument(value + " is refused in every combination: " + why);
     ++skipped[why];
   }
-  if (found.empty()) throw std::invalid_argument(refused.front().second);
   for (const auto& [why, count] : skipped)
     std::cerr << count << (count == 1 ? " combination" : " combinations") << " skipped: " << why << std::endl;
   return found;
@@ -205,20 +239,26 @@ Experiment experiment(Size size, const Chosen& chosen) {
   e.timed = true;
   e.columns = {"scene",     "line",           "all have",       "iterations",          "h", "error", "state",
                "us a step", "quartile below", "quartile above", "row updates a second"};
-  for (const Asked& asked : possible(all_runs(chosen, scene.solves, size == Size::quick), scene)) {
+  for (const Asked& asked : possible(all_runs(chosen, scene, size == Size::quick), scene)) {
     const Parameters set = asked.run.parameters(scene);
     const RunSettings settings = asked.run.settings(scene);
-    e.points.push_back({scene.name + " " + asked.line + " " + asked.run.iterations.value_or("") + " " +
-                            asked.run.h.value_or(""),
-                        [=] { return measured(asked, scene, set, settings); }});
+    e.points.push_back({key_of(chosen, asked), [=] { return measured(asked, scene, set, settings); }});
   }
   e.check = [scene](const Table& table, Claims& claims) {
     const auto errors = table.numbers("error");
+    const auto states = table.texts("state");
     double finite = 1;
-    for (const double error : errors) finite = std::isfinite(error) ? finite : 0;
-    claims.at_least("every point has a finite error", finite, 1);
+    bool any_lost = false;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const bool lost = states[k] == name_of(State::lost);
+      any_lost = any_lost || lost;
+      finite = lost || std::isfinite(errors[k]) ? finite : 0;
+    }
+    claims.at_least(
+        any_lost ? "every point that is not lost has a finite error" : "every point has a finite error", finite,
+        1);
     const auto updates = table.numbers("row updates a second");
-    // The plain engine counts no row updates.
+    // The plain engine counts no row updates, and neither does a run that diverges.
     if (scene.name != "stack" || *std::min_element(updates.begin(), updates.end()) == 0) return;
     const auto best = std::min_element(errors.begin(), errors.end()) - errors.begin();
     const auto worst = std::max_element(errors.begin(), errors.end()) - errors.begin();

@@ -1,6 +1,7 @@
 """Error against time and against row updates: one line for each method and step, one point for each number of
 sweeps."""
 
+import math
 import sys
 from pathlib import Path
 
@@ -12,8 +13,9 @@ TITLE = "Speed against error: a smaller error costs more work"
 
 def draw(data, mine):
     figure, (time, updates) = figures.new(columns=2, sharey=True)
-    for (name, h), style in zip(_lines(data.table), figures.STYLES * len(data.table.rows)):
-        some = data.table.only("line", name)
+    shown = _with_a_place(data.table)
+    for (name, h), style in zip(_lines(shown), figures.STYLES * len(shown.rows)):
+        some = shown.only("line", name)
         some = some if h is None else some.only("h", h)
         label = name if h is None else f"{name}, h = {_step(h)}"
         cost = [us / step for us, step in zip(some["us a step"], some["h"])]
@@ -24,7 +26,7 @@ def draw(data, mine):
         if any(some["row updates a second"]):
             _marked(updates, some["row updates a second"], some, label, style)
     if mine:
-        own = mine.table
+        own = _with_a_place(mine.table)
         time.plot([us / step for us, step in zip(own["us a step"], own["h"])], own["error"], **figures.MINE)
         if any(own["row updates a second"]):
             updates.plot(own["row updates a second"], own["error"], **figures.MINE)
@@ -33,11 +35,20 @@ def draw(data, mine):
     for axes in (time, updates):
         axes.set(xscale="log", yscale="log")
         figures.tidy(axes)
-    if any(state != "sound" for state in data.table["state"]):
+    if hidden := len(data.table.rows) - len(shown.rows):
+        time.plot([], [], linestyle="none", label=f"not drawn: {hidden} lost, or with an error of 0")
+    if any(state != "sound" for state in shown["state"]):
         time.plot([], [], color=figures.INK, marker="o", linestyle="none", fillstyle="none",
                   label="hollow: not sound")
     time.legend(fontsize=8, title=str(data.table["all have"][0]) or None, title_fontsize=8)
     return figure
+
+
+def _with_a_place(table):
+    """Returns the rows that logarithmic axes can show: a run that diverged has no error and no cost."""
+    errors, costs = table["error"], table["us a step"]
+    return figures.Table(table.columns, [row for row, error, cost in zip(table.rows, errors, costs)
+                                         if 0 < error < math.inf and cost > 0])
 
 
 def _lines(table):

@@ -1,13 +1,14 @@
 """The command plot: what it draws and checks, on an engine of one's own too, in shards and after an interruption."""
 
 import csv
+import hashlib
 import json
 import shutil
 import subprocess
 import unittest
 from pathlib import Path
 
-from sandbox import STILL, Sandbox, all_exercises
+from sandbox import ROOT, STILL, Sandbox, all_exercises
 
 
 class CoursePlot(unittest.TestCase):
@@ -41,6 +42,13 @@ class CoursePlot(unittest.TestCase):
                             (["energy", "--", "--bogus"], "--bogus"), (["--shard", "1/2"], "--shard needs the NAME"),
                             (["--mine"], "--mine needs the NAME"), (["--quick"], "--quick needs the NAME"),
                             (["--merge", "energy"], "--merge needs the NAME"),
+                            (["work_precision", "--", "--h", "1/60,1/60"], "h has the value 1/60 twice: leave one out"),
+                            (["work_precision", "--", "--set", "ratio=1,1"], "ratio has the value 1 twice"),
+                            (["work_precision", "--", "--sweep", "h=1/60,1/30", "--h", "1"], "h is swept"),
+                            (["work_precision", "--", "--row-order", "up,random", "--seed", "1"],
+                             "row-order=up is refused in every combination: seed has no effect"),
+                            (["energy", "--", "--jobs", "0"], 'jobs must be a whole number from 1 to 9999, but is "0"'),
+                            (["all", "--out", "o"], "one experiment"), (["--out", "o"], "--out needs the NAME"),
                             (["--publish"], "--publish needs the NAME"), (["--", "--h", "1"], "need the NAME")):
             with self.subTest(words=words):
                 result = self.box.course("plot", *words)
@@ -78,6 +86,7 @@ class CoursePlot(unittest.TestCase):
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn('has no answer to compare with: add "expected"', refused.stderr.splitlines()[-1])
         expected = {"body": 0, "time": 1, "x": [1, 0, 9.81 / 2], "tolerance": 1e-3}
+        folder = self.box.root / "build/plots/work_precision"
         Path(options[4]).write_text(json.dumps(text | {"expected": [expected]}))
         self.assertIn("holds every point has a finite error", self.plot(*options, "--set", "v=1,2"))
         with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
@@ -87,6 +96,15 @@ class CoursePlot(unittest.TestCase):
             self.assertGreaterEqual(len(errors), 2)
             for error in errors:
                 self.assertAlmostEqual(error, right, delta=1e-6)
+        manifest = json.loads((folder / "table.csv.manifest.json").read_text())
+        self.assertEqual(manifest["sha256"][options[4]], hashlib.sha256(Path(options[4]).read_bytes()).hexdigest())
+        self.assertEqual(manifest["folder"], str(ROOT))
+        # A file that has changed in between is another experiment.
+        self.plot(*options, "--shard", "1/2")
+        plan = (folder / "parts/plan.txt").read_text()
+        Path(options[4]).write_text(json.dumps(text | {"expected": [expected | {"tolerance": 1e-2}]}))
+        self.plot(*options, "--shard", "1/2")
+        self.assertNotEqual((folder / "parts/plan.txt").read_text(), plan)
 
     def test_its_axes_are_the_options_of_run(self):
         options = ["work_precision", "--quick", "--", "--time", "0.1"]
@@ -97,6 +115,31 @@ class CoursePlot(unittest.TestCase):
             self.plot(*options, *axes)
             with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
                 self.assertEqual({row["line"] for row in csv.DictReader(table)}, lines)
+
+    def test_steps_of_order_four_have_no_solver_and_a_run_that_diverges_is_lost(self):
+        out = self.box.root / "own"
+        for more, rows in ((["double_pendulum", "--set", "d=0", "--time", "0.1", "--integrator-order", "2,4", "--h", "1/60"],
+                            [("integrator-order 2 gauss_seidel", its, "sound") for its in ("10", "30", "100")]
+                            + [("integrator-order 4", "50", "sound")]),
+                           (["orbit", "--set", "m=1,1e308", "--time", "0.1", "--h", "1/60", "--iterations", "10"],
+                            [("m=1 gauss_seidel", "10", "sound"), ("m=1e308 gauss_seidel", "10", "lost")]),
+                           (["orbit", "--set", "m=1e308", "--h", "1/60"], [("gauss_seidel", "50", "lost")])):
+            said = self.plot("work_precision", "--quick", "--out", str(out), "--", "--scene", *more)
+            self.assertIn("has a finite error", said)
+            with open(out / "table.csv", newline="") as table:
+                self.assertEqual([(row["line"], row["iterations"], row["state"]) for row in csv.DictReader(table)], rows)
+            self.assertTrue((out / "work_precision.png").exists())
+
+    def test_help_of_an_experiment_leaves_its_results(self):
+        folder = self.box.root / "build/plots/energy"
+        self.plot("energy", "--quick")
+        before = {path.name: path.read_bytes() for path in folder.iterdir()}
+        said = self.box.course("plot", "energy", "--", "--help")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("--jobs", said.stdout)
+        self.plot("energy", "--quick", "--", "--out", str(self.box.root / "other"))  # as that help lists it
+        self.assertTrue((self.box.root / "other/table.csv").exists())
+        self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, before)
 
     def test_it_draws_an_engine_of_ones_own_beside_the_other(self):
         step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")

@@ -22,12 +22,15 @@ from sandbox import ROOT, Sandbox, all_exercises
 import arguments
 import grid
 import plot
+import run
 import runs
-from beside import with_changed
+from beside import require_free, require_single, with_changed
 from curves import matching
-from errors import BadInput
+from errors import BadInput, CourseError
 from extras import taken
-from sweep import Result, Sweep, as_json, as_text
+from merging import Shard, merged
+from run import Shared
+from sweep import RESULTS, Result, Sweep, as_json, as_text
 
 _LESSONS = sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
 _BLOCK = re.compile(r"^```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -44,6 +47,10 @@ def result(point: dict[str, str], error: float | None, **more) -> Result:
                           "time": 1.0, "h": 0.5} | more, "")
 
 
+def row(error: float | None, state: str = "sound", end: float | None = None, round_off: float = 0, **point) -> grid.Row:
+    return grid.Row(point, error, state, end, round_off)
+
+
 def of_h(*values: str, error=lambda h: h) -> Sweep:
     return Sweep({"h": values}, [result({"h": h}, error(eval(h))) for h in values], [])
 
@@ -51,7 +58,7 @@ def of_h(*values: str, error=lambda h: h) -> Sweep:
 class Orders(unittest.TestCase):
     def test_of_powers(self):
         for power in (1, 2, 4, -1):
-            found = [row["order"] for row in of_h("1/10", "1/20", "1/80", error=lambda h: 3 * h ** power).rows()]
+            found = [order for _, order in of_h("1/10", "1/20", "1/80", error=lambda h: 3 * h ** power).orders()]
             self.assertIsNone(found[0])
             for order in found[1:]:
                 self.assertAlmostEqual(order, power, 12)
@@ -60,22 +67,51 @@ class Orders(unittest.TestCase):
         nothing = [(None, None)] * 2
         for first, second in ((("1", 1), ("2", 0)), (("a", 1), ("2", 1)), (("1", None), ("2", 1)), (("0", 1), ("2", 1)),
                               (("1", math.nan), ("2", 1)), (("1", 1), ("1.0", 1)), (("inf", 1), ("2", 1))):
-            rows = [{"k": value, "error": error} for value, error in (first, second)]
+            rows = [row(error, k=value) for value, error in (first, second)]
             self.assertEqual(grid.orders(rows, ["k"]), nothing)
         self.assertEqual(grid.orders([], ["h"]), [])
-        rows = [{"bodies": str(n), "error": n} for n in (1, 2)]  # an error goes with a power of h, d and k alone
+        rows = [row(n, bodies=str(n)) for n in (1, 2)]  # an error goes with a power of h, d and k alone
         self.assertEqual(grid.orders(rows, ["bodies"]), nothing)
 
     def test_a_lost_run_has_none(self):
         for states in (("lost", "sound"), ("sound", "lost"), ("sound", "blew up")):
-            rows = [{"h": h, "error": error, "state": state} for h, error, state in zip(("2", "1"), (4, 1), states)]
+            rows = [row(error, state, h=h) for h, error, state in zip(("2", "1"), (4, 1), states)]
             self.assertEqual(grid.orders(rows, ["h"]), [(None, None)] * 2, states)
-        rows = [{"h": h, "error": error, "state": "unsolved"} for h, error in (("2", 4), ("1", 1))]
+        rows = [row(error, "unsolved", h=h) for h, error in (("2", 4), ("1", 1))]
         self.assertEqual(grid.orders(rows, ["h"])[1], (4, 2))
+
+    def test_errors_at_round_off_have_none(self):
+        floor = grid.round_off(100)  # 4 ε a step
+        self.assertAlmostEqual(floor, 8.9e-14, delta=1e-15)
+        rows = [row(error, round_off=floor, h=h) for h, error in (("4", 1e-3), ("2", 1e-14), ("1", 1e-15))]
+        self.assertEqual(grid.orders(rows, ["h"]), [(None, None)] * 3)
+        self.assertEqual(grid.fits(rows, ["h"]), [])
+        said = as_text(of_h("1/10", "1/20", "1/40", error=lambda h: 1e-16 / h))
+        self.assertIn("no order where an error is at round-off", said)
+        self.assertNotIn("order p", said)
+        self.assertNotIn("order of all runs", said)
+        seeds = [row(error, round_off=floor, h=h, seed=k) for h, error in (("2", 1e-14), ("1", 2e-14)) for k in "12"]
+        self.assertEqual(grid.mean_orders(grid.means(seeds, ["h", "seed"])), [None, None])
+
+    def test_runs_that_end_at_different_times_have_none(self):
+        ends = {"0.3": 0.9, "0.15": 1.05, "0.07": 0.98}
+        rows = [row(grid.number(h), end=end, h=h) for h, end in ends.items()]
+        self.assertEqual(grid.orders(rows, ["h"]), [(None, None)] * 3)
+        self.assertEqual(grid.fits(rows, ["h"]), [])
+        seeds = [row(grid.number(h), end=end, h=h, seed=k) for h, end in ends.items() for k in "12"]
+        self.assertEqual(grid.mean_orders(grid.means(seeds, ["h", "seed"])), [None] * 3)
+        said = as_text(Sweep({"h": tuple(ends)}, [result({"h": h}, eval(h), time=end) for h, end in ends.items()], []))
+        self.assertIn("no order between runs that end at different times, from 0.9 to 1.05 s", " ".join(said.split()))
+        self.assertNotIn("order p", said)
+        alike = [row(h, end=7 * (1 / 7) + h * 1e-15, h=h) for h in (2, 1)]  # up to round-off
+        self.assertAlmostEqual(grid.orders(alike, ["h"])[1][1], 1, 12)
+        swept = [row(h * time, end=time, h=h, time=time) for time in (1, 2) for h in (2, 1)]  # on purpose
+        self.assertEqual([order is None for _, order in grid.orders(swept, ["time", "h"])], [True, False] * 2)
+        self.assertIsNone(grid.uneven(swept, ["time", "h"]))
 
     def test_of_a_product_compare_what_differs_in_one_value(self):
         axes = {"h": ["0.1", "0.05"], "scale": ["1", "7"], "d": ["2", "3"]}
-        rows = [point | {"error": float(point["scale"]) * float(point["d"]) * float(point["h"]) ** 2}
+        rows = [row(float(point["scale"]) * float(point["d"]) * float(point["h"]) ** 2, **point)
                 for point in grid.combinations(axes)]
         found = grid.orders(rows, axes)
         self.assertEqual(found[:4], [(None, None)] * 4)
@@ -96,8 +132,9 @@ class Orders(unittest.TestCase):
 
     def test_a_run_that_blew_up_keeps_its_step(self):
         for point, others, h in (({"h": "1/2"}, [], 0.5), ({"d": "1"}, [result({"d": "2"}, 1.0)], 0.5), ({"d": "1"}, [], None)):
-            row = Sweep({name: (value,) for name, value in point.items()}, [Result(point, None, "blew up"), *others], []).table()[0]
-            self.assertEqual((row["h"], row["why"]), (h, "blew up"))
+            cells = Sweep({name: (value,) for name, value in point.items()},
+                          [Result(point, None, "blew up"), *others], []).table()[0]
+            self.assertEqual((cells["h"], cells["why"]), (h, "blew up"))
 
     def test_a_sound_run_without_an_answer_is_not_lost(self):
         table = as_text(Sweep({"d": ("2",)}, [result({"d": "2"}, None)], []))
@@ -113,8 +150,29 @@ class Grid(unittest.TestCase):
     def test_a_value_is_refused_if_no_combination_takes_it(self):
         points = grid.combinations({"a": ["1", "2"], "b": ["x", "y"]})
         self.assertEqual(grid.impossible_value(points, ["", "", "", "no"]), "")  # one of four is skipped
-        self.assertEqual(grid.impossible_value(points, ["", "no y", "", "nor here"]), "no y")
+        self.assertEqual(grid.impossible_value(points, ["", "no y", "", "nor here"]),
+                         "b=y is refused in every combination: no y")
         self.assertEqual(grid.impossible_value(points, [""] * 4), "")
+        self.assertEqual(grid.impossible_value(points, ["no"] * 4), "no")  # it is not the value's fault
+
+    def test_a_swept_name_keeps_apart_from_a_result_of_its_name(self):
+        """The printed table, its means and its fits, the file and what is read from it."""
+        for name in (*RESULTS, "ratio", "runs", "lost", "unsolved", "scene", "point", "seconds_of_h"):
+            points = grid.combinations({name: ("5", "10"), "h": ("1/10", "1/20", "1/40"), "seed": ("1", "2")})
+            errors = [float(point[name]) * grid.number(point["h"]) ** 2 for point in points]
+            swept = Sweep({name: ("5", "10"), "h": ("1/10", "1/20", "1/40"), "seed": ("1", "2")},
+                          [result(point, error, h=grid.number(point["h"])) for point, error in zip(points, errors)], [])
+            with self.subTest(name):
+                self.assertEqual([mean.point[name] for mean in swept.means()], ["5"] * 3 + ["10"] * 3)
+                self.assertEqual([fit.point for fit in swept.fits()], [{name: "5"}, {name: "10"}])
+                self.assertEqual([round(fit.order, 9) for fit in swept.fits()], [2, 2])
+                cells = swept.table()
+                column = f"{name}=" if name in RESULTS else name
+                self.assertEqual([row[column] for row in cells], [point[name] for point in points])
+                self.assertEqual([row["error"] for row in cells], errors)
+                heads = [re.split(" {2,}", line) for line in as_text(swept).splitlines()
+                         if re.match(f"{name}=? +(h|runs)  ", line)]
+                self.assertEqual([len(head) - len(set(head)) for head in heads], [0] * 3, heads)
 
     def test_values_are_the_same_as_typed(self):
         for one, other in (("1/60", 1 / 60), ("1e-3", 0.001), (Fraction(1, 60), "1/60"), ("direct", "direct"), (True, True)):
@@ -133,15 +191,15 @@ class Grid(unittest.TestCase):
         draws = random.Random(1)
         trials, held = 1000, 0
         for _ in range(trials):
-            rows = [{"seed": k, "error": draws.gauss(3, 2)} for k in range(4)]
+            rows = [row(draws.gauss(3, 2), seed=k) for k in range(4)]
             (mean,) = grid.means(rows, ["seed"])
             held += abs(mean.mean - 3) <= mean.half_width
         # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
         self.assertAlmostEqual(held, 950, delta=4 * math.sqrt(trials * 0.95 * 0.05), msg="seed 1")
 
     def test_means_leave_out_what_has_no_error(self):
-        rows = [{"a": "x", "seed": "1", "error": 1.0}, {"a": "x", "seed": "2", "error": None},
-                {"a": "y", "seed": "1", "error": math.nan}, {"a": "x", "seed": "3", "error": 3.0}]
+        rows = [row(1.0, a="x", seed="1"), row(None, a="x", seed="2"), row(math.nan, a="y", seed="1"),
+                row(3.0, a="x", seed="3")]
         x, y = grid.means(rows, ["a", "seed"])
         self.assertEqual((x.point, x.runs, x.mean), ({"a": "x"}, 2, 2.0))
         self.assertAlmostEqual(x.half_width, grid.student_t(1) * math.sqrt(2) / math.sqrt(2), 8)
@@ -149,7 +207,7 @@ class Grid(unittest.TestCase):
 
     def test_means_leave_out_lost_runs_and_count_unsolved_ones(self):
         states = {"1": "sound", "2": "lost", "3": "unsolved", "4": "blew up"}
-        rows = [{"seed": seed, "error": float(seed), "state": state} for seed, state in states.items()]
+        rows = [row(float(seed), state, seed=seed) for seed, state in states.items()]
         (mean,) = grid.means(rows, ["seed"])
         self.assertEqual((mean.runs, mean.unsolved, mean.lost, mean.mean), (2, 1, 2, 2.0))
         state = {"2": {"state": {"name": "lost", "reason": "r"}}}
@@ -161,7 +219,7 @@ class Grid(unittest.TestCase):
 
 
     def test_means_have_orders_too(self):
-        rows = [{"h": h, "seed": k, "error": value * float(h)} for h in ("0.2", "0.1") for k, value in enumerate((1, 3))]
+        rows = [row(value * float(h), h=h, seed=k) for h in ("0.2", "0.1") for k, value in enumerate((1, 3))]
         found = grid.means(rows, ["h", "seed"])
         first, second = grid.mean_orders(found)
         self.assertIsNone(first)
@@ -170,17 +228,17 @@ class Grid(unittest.TestCase):
 
     def test_an_order_is_fitted_to_all_runs_and_its_interval_holds_as_often_as_it_says(self):
         steps = ("1/10", "1/20", "1/40", "1/80")
-        exact = [{"h": h, "a": a, "error": 3 * grid.number(h) ** 2, "state": "sound"} for a in "xy" for h in steps]
-        exact.append({"h": "1", "a": "x", "error": 1e99, "state": "lost"})
+        exact = [row(3 * grid.number(h) ** 2, h=h, a=a) for a in "xy" for h in steps]
+        exact.append(row(1e99, "lost", h="1", a="x"))
         self.assertEqual([(fit.point, fit.runs) for fit in grid.fits(exact, ["h", "a"])], [({"a": "x"}, 4), ({"a": "y"}, 4)])
         for fit in grid.fits(exact, ["h", "a"]):
             self.assertAlmostEqual(fit.order, 2, 12)
             self.assertLess(fit.half_width, 1e-12)
         self.assertEqual(grid.fits(exact[:2], ["h", "a"]), [])  # two values give no uncertainty
-        self.assertEqual(grid.fits([{"bodies": "2", "error": 1}] * 3, ["bodies"]), [])
+        self.assertEqual(grid.fits([row(1, bodies="2")] * 3, ["bodies"]), [])
         draws, trials, held = random.Random(2), 1000, 0
         for _ in range(trials):
-            rows = [{"h": h, "seed": k, "error": grid.number(h) * math.exp(draws.gauss(0, 0.5))} for h in steps for k in range(2)]
+            rows = [row(grid.number(h) * math.exp(draws.gauss(0, 0.5)), h=h, seed=k) for h in steps for k in range(2)]
             (fit,) = grid.fits(rows, ["h", "seed"])
             held += abs(fit.order - 1) <= fit.half_width
         # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
@@ -203,11 +261,88 @@ class Words(unittest.TestCase):
         self.assertEqual(with_changed(words, "seed", "3", {"seed", "mu"}), ["pile", "--set", "mu=1", "--set", "seed=3"])
         self.assertEqual(with_changed(["orbit"], "seed", "3", {"m"}), ["orbit", "--seed", "3"])
 
+    def test_a_value_of_what_is_swept_has_no_effect(self):
+        for name, words, parameters in (("h", ["s", "--h", "1/30"], {"m"}), ("h", ["s", "--h=1/30"], ()),
+                                        ("row_order", ["s", "--row-order", "up"], ()),
+                                        ("warm_start", ["s", "--warm-start"], ()),
+                                        ("seed", ["s", "--set", "mu=1", "seed=2"], {"seed", "mu"}),
+                                        ("seed", ["s", "--set=seed=2"], {"seed"})):
+            with self.subTest(words), self.assertRaisesRegex(BadInput, f"{name} is swept, so .* has no effect"):
+                require_free(words, name, parameters)
+        require_free(["s", "--seed", "3", "--set", "mu=1"], "seed", {"seed", "mu"})  # the option is that of a random order
+        require_free(["s", "--time", "3"], "h", ())
+
+    def test_a_list_is_for_a_sweep(self):
+        for option in ("h", "solver", "friction-model", "row-order", "tangents", "engine", "integrator-order", "accuracy"):
+            for words in (["s", f"--{option}", "a,b"], ["s", f"--{option}=a,b"]):
+                with self.assertRaisesRegex(BadInput, f'{option} must be one value, but is "a,b": a sweep of {option} takes'):
+                    require_single(words)
+        require_single(["s", "--h", "1/60", "--csv", "a,b.csv", "--set", "m=1"])
+
     def test_a_misspelled_option_is_told_with_the_nearest_name(self):
         for name, words in (("iteratons", "did you mean iterations?"), ("solvr", "did you mean solver?"),
                             ("rato", "did you mean ratio?"), ("zzz", "there are: ratio, ")):
             with self.assertRaisesRegex(BadInput, f"'{name}' is neither a parameter of stack nor an option of run; {re.escape(words)}"):
                 with_changed(["stack"], name, "3", {"ratio"})
+
+
+class Merging(unittest.TestCase):
+    CALL = ["s", "--sweep", "a=1,2", "--time", "1", "--set", "m=2", "g=3"]
+
+    def shard(self, *words: str, file: str = "1.csv", **sha256: str) -> Shard:
+        cells = [{name: "" if value is None else str(value) for name, value in row.items()}
+                 for row in Sweep({"a": ("1",)}, [result({"a": "1"}, 2.0)], []).table()]
+        manifest = {"command": ["./course", "run", *words], "sha256": {"spook": "p"} | sha256}
+        return Shard(file, cells, manifest, "t")
+
+    def merge(self, *shards: Shard, call: list[str] = CALL) -> Sweep:
+        extras, words = taken(call)
+        return merged(words, extras, shards)
+
+    def test_tables_of_the_same_call_are_joined_whatever_its_order(self):
+        other = self.shard("s", "--set", "g=3", "--time=1", "--sweep", "a=1", "--set", "m=2", "--json", "--csv", "x.csv")
+        sweep = self.merge(self.shard(*self.CALL, "--shard", "1/2"), other)
+        self.assertEqual(([one.run["error"]["value"] for one in sweep.results], len(sweep.skipped)), ([2.0], 1))
+        self.assertEqual((sweep.results[0].run["steps"], sweep.results[0].run["row_updates"]), (3, 2))
+        self.assertIsInstance(sweep.results[0].run["steps"], int)
+
+    def test_tables_of_other_calls_are_refused(self):
+        for words, told in ((["t", *self.CALL[1:]], "with the scene t, but this call has s"),
+                            ([*self.CALL, "--solver", "direct"], "with --solver direct, but this call has none"),
+                            ([*self.CALL[:3], "--time", "2", "--set", "m=2", "g=3"], "with --time 2, but this call has 1"),
+                            ([*self.CALL[:-1], "g=4"], "with --set g=4 m=2, but this call has g=3 m=2"),
+                            ([*self.CALL, "--mine"], "with --mine on, but this call has none"),
+                            (["s", "--sweep", "a=1", "b=1,2", *self.CALL[3:]], "with swept names a b, but this call has a")):
+            with self.subTest(words), self.assertRaisesRegex(BadInput, re.escape(told)):
+                self.merge(self.shard(*self.CALL), self.shard(*words, file="2.csv"))
+        with self.assertRaisesRegex(BadInput, '"2.csv" and "1.csv" were computed by different programs'):
+            self.merge(self.shard(*self.CALL), self.shard(*self.CALL, file="2.csv", spook="q"))
+
+
+class OneProgram(unittest.TestCase):
+    def test_what_changes_between_the_runs_of_a_sweep_ends_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder, "spook")
+            program.write_text("one")
+            shared = Shared([program, Path(folder, "none")])
+            self.assertEqual(shared.hashes, {str(program): hashlib.sha256(b"one").hexdigest()})
+            shared.require_unchanged()
+            program.write_text("another")
+            with self.assertRaisesRegex(CourseError, "has changed since the first run"):
+                shared.require_unchanged()
+
+    def test_a_sweep_builds_its_program_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            spook = Path(folder, "spook")
+            spook.write_text("#!/bin/sh\n[ \"$1\" = scenes ] && exit 1\n"
+                             f"echo '{json.dumps(result({}, 1.0).run)}'\n"
+                             'while [ $# -gt 0 ]; do [ "$1" = --csv ] && echo "time [s]" > "$2"; shift; done; exit 0\n')
+            spook.chmod(0o755)
+            with mock.patch.object(run, "program", return_value=spook) as built, \
+                    contextlib.redirect_stdout(io.StringIO()) as out:
+                self.assertEqual(run.run(["s", "--sweep", "h=0.1,0.2", "--json"]), 0)
+        self.assertEqual(built.call_count, 1)
+        self.assertEqual(len(json.loads(out.getvalue())["runs"]), 2)
 
 
 class OnSlurm(unittest.TestCase):
@@ -257,7 +392,9 @@ class Refused(unittest.TestCase):
             with plot._results_set_aside(folder):
                 (folder / "claims.json").write_text("new")
             self.assertEqual([path.name for path in folder.iterdir()], ["claims.json"])
-
+            with plot._results_set_aside(folder):  # a shard, which leaves a part
+                (folder / "parts").mkdir()
+            self.assertEqual((folder / "claims.json").read_text(), "new")
 
     def test_what_an_experiment_refuses_is_printed_once(self):
         def refusing(command, on_line):
@@ -284,6 +421,8 @@ class Refused(unittest.TestCase):
                 self.assertEqual(plot.without_sweep(more), words)
             for more, told in ((["--sweep", "rato=1,2"], "'rato' is neither a parameter of stack nor an option of run; did you mean ratio?"),
                                (["--sweep"], "plot: --sweep needs a value"),
+                               (["--h", "1/30", "--sweep", "h=1,2"],
+                                "plot: h is swept, so --h has no effect: leave one of them out"),
                                (["--sweep", "h=1,,2"], "plot: --sweep must be NAME=VALUE,VALUE, but is 'h=1,,2'")):
                 with self.assertRaises(BadInput) as caught:
                     plot.without_sweep(more)
@@ -294,6 +433,13 @@ class Refused(unittest.TestCase):
             arguments.parse(["plot", "work_precision", "--scene", "wire"])
         with self.assertRaisesRegex(BadInput, "unknown option '--quik'; did you mean --quick"):
             arguments.parse(["plot", "work_precision", "--quik"])
+
+    def test_an_option_of_plot_is_taken_after_the_dashes_too(self):
+        known = arguments.parse(["plot", "energy", "--", "--out", "a", "--h", "1/60", "--quick", "--set", "m=-1"])
+        self.assertEqual((known.out, known.quick, known.shard, known.more),
+                         ("a", True, None, ["--h", "1/60", "--set", "m=-1"]))
+        with self.assertRaisesRegex(BadInput, "plot: --out is given twice"):
+            arguments.parse(["plot", "energy", "--out", "a", "--", "--out=b"])
 
 
 class Columns(unittest.TestCase):
@@ -405,8 +551,8 @@ class Runs(unittest.TestCase):
             self.assertIn(part, table)
 
     def test_a_sweep_of_parameters_and_switches(self):
-        runs = json.loads(self.run_scene("orbit", "--set", "start=unshifted", "eccentricity=0.1", "--sweep",
-                                         "eccentricity=0.2,0.3", "--json"))["runs"]
+        runs = json.loads(self.run_scene("orbit", "--set", "start=unshifted", "--sweep", "eccentricity=0.2,0.3",
+                                         "--json"))["runs"]
         self.assertEqual([(run["parameters"]["eccentricity"], run["parameters"]["start"]) for run in runs],
                          [(0.2, "unshifted"), (0.3, "unshifted")])
         runs = json.loads(self.run_scene("stack", "--time", "0.1", "--sweep", "warm_start=off,on", "--json"))["runs"]
@@ -433,19 +579,30 @@ class Runs(unittest.TestCase):
         parts = [word for word in call if word not in ("--csv", "sweep.csv", "--json")]
         for k in (1, 2):
             self.assertIn(f"mean over seeds of shard {k}/2", self.run_scene(*parts, "--shard", f"{k}/2", "--csv", f"{k}.csv"))
-        sweep = ["pile", "--set", "bodies=5,10", "--sweep", "seed=1,2,3"]
+        sweep = ["pile", "--sweep", "seed=1,2,3", "--set", "bodies=5,10", "--time=0.1"]  # in any order
         merged = json.loads(self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--json"))
         self.assertEqual(merged["means"], told["means"])
         names = [{run["error"]["name"] for run in of["runs"]} for of in (merged, told)]
         self.assertEqual(*names)
         self.assertNotEqual(names[0], {"error"})
         self.assertEqual([run["error"]["value"] for run in merged["runs"]], [run["error"]["value"] for run in told["runs"]])
-        self.assertIn("3 combinations skipped: it is in none of the merged tables", self.run_scene(*sweep, "--merge", "1.csv"))
+        self.assertIn("3 combinations skipped: no row of the merged tables has these values",
+                      self.run_scene(*sweep, "--merge", "1.csv"))
         self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--csv", "all.csv")
         joined = list(csv.DictReader(io.StringIO((self.box.root / "all.csv").read_text())))
         self.assertEqual(list(joined[0]), list(rows[0]))
         for name in ("bodies", "seed", "h", "error", "steps", "row_updates"):
-            self.assertEqual([float(row[name]) for row in joined], [float(row[name]) for row in rows], name)
+            self.assertEqual([row[name] for row in joined], [row[name] for row in rows], name)
+        of_all, of_one = (json.loads((self.box.root / f"{name}.csv.manifest.json").read_text()) for name in ("all", "1"))
+        self.assertEqual(of_all["command"][-1], "all.csv")
+        self.assertEqual((of_all["sha256"], of_all["commit"]), (of_one["sha256"], of_one["commit"]))
+        self.assertEqual([table["sha256"] for table in of_all["merged"]],
+                         [hashlib.sha256((self.box.root / f"{k}.csv").read_bytes()).hexdigest() for k in (1, 2)])
+        self.assertEqual(of_all["merged"][0]["manifest"], of_one)
+        self.run_scene(*sweep, "--merge", "all.csv")  # and once more
+        for words, told in ((["--solver", "direct"], "with --solver none, but this call has direct"),
+                            (["--h", "1/120"], "with --h none, but this call has 1/120")):
+            self.box.assert_refused(self, ["run", *sweep, *words, "--merge", "1.csv", "2.csv"], ['"1.csv"', told])
 
     def test_combinations_that_are_refused_are_counted(self):
         said = self.run_scene("stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random")
@@ -461,10 +618,49 @@ class Runs(unittest.TestCase):
         hashes = json.loads((self.box.root / "tower.csv.manifest.json").read_text())["sha256"]
         self.assertEqual(hashes["tower.json"], hashlib.sha256((self.box.root / "tower.json").read_bytes()).hexdigest())
         self.assertEqual({Path(name).name for name in hashes}, {"spook", "tower.json"})
+        sweep = ["run", "tower.json", "--time", "0.1", "--sweep", "h=1/60,1/120", "--merge", "tower.csv"]
+        self.assertEqual(self.box.course(*sweep).returncode, 0)
+        text = (self.box.root / "tower.json").read_text()
+        (self.box.root / "tower.json").write_text(text + "\n")
+        self.box.assert_refused(self, sweep, ['"tower.csv" was computed from another content of "tower.json"'])
+        (self.box.root / "tower.json").write_text(text)
         before = (self.box.root / "tower.json").read_text()
         self.box.assert_refused(self, ["run", "tower.json", "--sweep", "h=0.1,0.2", "--csv", "./tower.json"],
                                 ["--csv must be another file than the scene"])
         self.assertEqual((self.box.root / "tower.json").read_text(), before)
+
+    def test_every_name_sweeps_as_any_other(self):
+        """A built-in scene's ratio, an option of the name of a result, and a file's names; as a file and merged."""
+        scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": 0.1, "half_step_start": True,
+                 "parameters": {"error": {"default": 0}, "a,b": {"default": 0}},
+                 "bodies": [{"x": ["$error", "$a,b", 0], "mass": 1}],
+                 "expected": [{"body": 0, "time": 0.1, "x": [0, 0, -0.04905], "tolerance": 1}]}
+        (self.box.root / "named.json").write_text(json.dumps(scene))
+        rows = self.swept(["named.json", "--sweep", "h=0.01,0.005", "error=3,6", "a,b=4,8"])
+        self.assertEqual([(row["error="], row["a,b"]) for row in rows], [("3", "4"), ("3", "8"), ("6", "4"), ("6", "8")] * 2)
+        for row in rows:
+            self.assertAlmostEqual(float(row["error"]), math.hypot(float(row["error="]), float(row["a,b"])), 9)
+        rows = self.swept(["stack", "--set", "bodies=3", "--solver", "gauss_seidel", "--time", "0.1", "--sweep", "ratio=1,10", "h=1/60,1/120"])
+        self.assertEqual([row["ratio"] for row in rows], ["1", "1", "10", "10"])
+        told = json.loads(self.run_scene("wire", "--row-order", "random", "--set", "links=10", "--time", "0.1", "--sweep",
+                                         "ratio=5,10", "seed=1,2", "--json"))
+        self.assertEqual([mean["point"] for mean in told["means"]], [{"ratio": "5"}, {"ratio": "10"}])
+        rows = self.swept(["free_fall", "--sweep", "time=0.1,0.25", "h=0.1,0.05"])
+        self.assertEqual([(row["time="], round(float(row["time"]), 9)) for row in rows],
+                         [("0.1", 0.1), ("0.1", 0.1), ("0.25", 0.3), ("0.25", 0.25)])
+
+    def swept(self, call: list[str]) -> list[dict[str, str]]:
+        """Returns the table of a sweep, which is also that of its shards."""
+        self.run_scene(*call, "--csv", "whole.csv")
+        for k in (1, 2):
+            self.run_scene(*call, "--shard", f"{k}/2", "--csv", f"part{k}.csv")
+        self.run_scene(*call, "--merge", "part1.csv", "part2.csv", "--csv", "joined.csv")
+        whole, joined = (list(csv.DictReader(io.StringIO((self.box.root / f"{name}.csv").read_text())))
+                         for name in ("whole", "joined"))
+        for one in whole + joined:
+            one.pop("us_per_step")  # which is measured
+        self.assertEqual(whole, joined)
+        return whole
 
     def test_a_file_has_parameters_that_sweep(self):
         scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {
@@ -568,7 +764,12 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0.2", "--csv", "a", "--csv=b"], ["--csv is given twice"]),
                             (["orbit", "--merge", "a.csv"], ["--merge needs --sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--merge", "no.csv"], ['--merge "no.csv" cannot be read']),
-                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "README.md"], ["is no table of this sweep", "column h"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--merge", "README.md"], ["is no table of a sweep", "column error"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--h", "0.3"], ["h is swept, so --h has no effect"]),
+                            (["orbit", "--sweep", "m=1,2", "--set", "m=3"], ["m is swept, so m=3 has no effect"]),
+                            (["stack", "--friction-model", "box,cone"], ['"box,cone"', "a sweep of friction-model takes a list"]),
+                            (["stack", "--sweep", "row-order=up,random", "seed=1,2"],
+                             ["row-order=up is refused in every combination: seed has no effect"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--merge", "a", "--shard", "1/2"], ["leave out --shard"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)

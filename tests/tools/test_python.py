@@ -1031,8 +1031,8 @@ class Sweeps(WithModule):
 
     def test_what_makes_no_sense_is_refused_before_anything_runs(self):
         with mock.patch("spook._spook.run") as run:
-            self.refused('unknown solver "dirct"; did you mean "direct"?', spook.sweep, spook.scene("stack"),
-                         solver=["direct", "dirct"])
+            self.refused('solver=dirct is refused in every combination: unknown solver "dirct"; did you mean "direct"?',
+                         spook.sweep, spook.scene("stack"), solver=["direct", "dirct"])
             self.refused("jobs must be at least 1, but is 0", spook.sweep, spook.scene("stack"), jobs=0)
             self.refused("ratio must have at least one value, but the list is empty", spook.sweep, "stack", ratio=[])
         run.assert_not_called()
@@ -1054,6 +1054,27 @@ class Sweeps(WithModule):
         self.assertAlmostEqual(mean["mean"], table["error"].mean(), delta=1e-12 * abs(table["error"]).max())
         with self.assertRaisesRegex(KeyError, "'h' is not swept"):
             table.means("h")
+
+    def test_a_parameter_keeps_apart_from_a_result_of_its_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, column in (("error", "error="), ("steps", "steps="), ("why", "why="), ("mean", "mean"), ("runs", "runs")):
+                file = Path(folder, "s.json")
+                file.write_text(json.dumps({
+                    "format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": 0.1, "half_step_start": True,
+                    "parameters": {name: {"default": 1}}, "bodies": [{"x": [f"${name}", 0, 0], "mass": 1}],
+                    "expected": [{"body": 0, "time": 0.1, "x": [0, 0, -0.04905], "tolerance": 1}]}))
+                table = spook.sweep(str(file), h=[0.01, 0.005], progress=False, **{name: [3, 7]})
+                np.testing.assert_array_equal(table[column], [3, 7, 3, 7])
+                np.testing.assert_allclose(table["error"], [3, 7, 3, 7])
+                self.assertEqual([mean["mean"] for mean in table.means("h")], [3, 7])
+                self.assertEqual(len(table.where(**{column: 3})), 2)
+
+    def test_orders_need_errors_above_round_off_and_one_end(self):
+        for scene, h, options in (("cradle", ["1/100", "1/200", "1/400"], {}),
+                                  ("free_fall", [0.3, 0.15, 0.07], {"start": "unshifted", "time": 1})):
+            table = spook.sweep(scene, h=h, progress=False, **options)
+            self.assertTrue(np.isnan(table["order"]).all())
+            self.assertEqual(len(table.fits()), 0)
 
     def test_rows_are_found_by_what_was_typed(self):
         table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)

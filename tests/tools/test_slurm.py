@@ -93,6 +93,14 @@ class Slurm(unittest.TestCase):
         self.assertLessEqual(set(failed), {1, 2})  # what ran beside it, too
         self.assertIn("before it ended", failed[1])
 
+    def test_a_refusal_names_the_script(self):
+        os.environ["SBATCH_PARTITION"] = "nowhere"
+        try:
+            with self.assertRaisesRegex(CourseError, f"sbatch refuses the job; its script is {self.folder}/no/part.sh"):
+                run_array(["true"], 1, self.folder / "no", "a test")
+        finally:
+            del os.environ["SBATCH_PARTITION"]
+
     def test_without_slurm_it_is_said(self):
         path = os.environ["PATH"]
         os.environ["PATH"] = "/nowhere"

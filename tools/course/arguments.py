@@ -101,7 +101,7 @@ def parse(words: list[str]) -> argparse.Namespace:
         raise BadInput(f"{words[0]}: unknown {what} {unknown[0]!r}{near(unknown[0], options)}; "
                        f"see ./course {words[0]} --help")
     if more:
-        known.more = more
+        known.more = _after_dashes(known, more)
     return known
 
 
@@ -139,8 +139,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("which", nargs="?", metavar="NAME", help="an experiment, a topic, or all")
     command.add_argument("--mine", action="store_true", help="add a curve of your own functions")
     command.add_argument("--engine", choices=["mine"], help="add a curve of your own engine (work_precision only)")
-    command.add_argument("--quick", action="store_true", help="use the small size of the tests")
-    command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
+    _add_experiment(command)
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="combine the results of shards")
     command.add_argument("--slurm", type=_count, metavar="N", help="compute as an array of N on an existing Slurm")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
@@ -197,6 +196,25 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--all", action="store_true", help="add sanitizers, experiments, browsers and all mutants")
     command.add_argument("--strict", action="store_true", help="treat compiler warnings in the course's code as errors")
     return parser, commands.choices
+
+
+def _add_experiment(command: Parser) -> None:
+    """Adds the options that the programs of experiments have, too."""
+    command.add_argument("--out", metavar="FOLDER", help="folder of table and figure (default: build/plots/NAME)")
+    command.add_argument("--quick", action="store_true", help="use the small size of the tests")
+    command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
+
+
+def _after_dashes(known: argparse.Namespace, more: list[str]) -> list[str]:
+    """Reads the options of plot that are given after --, where the program's own help lists them. Returns the others."""
+    parser = Parser(prog="./course plot", add_help=False)
+    _add_experiment(parser)
+    own, rest = parser.parse_known_args(more)
+    for name, value in vars(own).items():
+        if value and getattr(known, name):
+            raise BadInput(f"plot: --{name} is given twice; leave one out")
+        setattr(known, name, value or getattr(known, name))
+    return rest
 
 
 def _add_update(command: Parser) -> None:

@@ -61,6 +61,35 @@ def with_changed(words: list[str], name: str, value: str, parameters: Collection
     return [*_without_parameter(words, name), "--set", f"{name}={value}"]
 
 
+def require_single(words: list[str]) -> None:
+    """Refuses a list as the value of an option, which the program would take for a number or a name."""
+    for name in _OPTIONS:
+        value = value_of(f"--{name}", words)
+        if value is not None and "," in value:
+            raise BadInput(f'run: {name} must be one value, but is "{value}": a sweep of {name} takes a list')
+
+
+def require_free(words: list[str], name: str, parameters: Collection[str]) -> None:
+    """Refuses a value of what is swept, which would have no effect."""
+    option = f"--{name.replace('_', '-')}"
+    if name in parameters:
+        given = next((word for word in words if word.startswith((f"{name}=", f"--set={name}="))), None)
+    else:
+        given = option if option in words or value_of(option, words) is not None else None
+    if given:
+        raise BadInput(f"run: {name} is swept, so {given} has no effect: leave one of them out")
+
+
+def value_of(option: str, words: list[str]) -> str | None:
+    """Returns the value of an option in a command line; None if it is missing."""
+    for k, word in enumerate(words):
+        if word.startswith(f"{option}="):
+            return word.partition("=")[2]
+        if word == option and k + 1 < len(words):
+            return words[k + 1]
+    return None
+
+
 def _flagged(words: list[str], value: str) -> list[str]:
     if value not in _SWITCHED:
         raise BadInput(f"{_FLAG} must be on or off, but is {value!r}")

@@ -23,9 +23,9 @@ def program(target: str) -> Path:
     raise RELEASE.own_failure(built)
 
 
-def parameters_of(scene: str) -> set[str]:
-    """Returns the names of a scene's parameters; empty for an unknown scene."""
-    done = subprocess.run([str(program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
+def parameters_of(scene: str, path: Path | None = None) -> set[str]:
+    """Returns the names of a scene's parameters; empty for an unknown scene. `path` is that of a program that is built."""
+    done = subprocess.run([str(path or program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
     if done.returncode != 0:
         return set()
     return {parameter["name"] for each in json.loads(done.stdout)["scenes"] for parameter in each["parameters"]}

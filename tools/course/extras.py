@@ -18,7 +18,7 @@ Of the course:
                           orders in h, d or k, and means over seed. A list
                           after --set is swept, too. --csv FILE has the table
   --shard I/N             With --sweep: only every N-th run, from the I-th on
-  --merge FILE ...        With --sweep: joins the tables of --shard, by --csv
+  --merge FILE ...        In place of --shard: joins its tables, made by --csv
   --slurm N               With --sweep: as an array of N on an existing Slurm
 """
 
@@ -41,7 +41,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     slurm, words = _taken("--slurm", words)
     merged, words = taken_lists("--merge", words)
     swept, words = taken_lists("--sweep", words)
-    listed, words = taken_lists("--set", words, lambda word: "," in word)
+    listed, words = taken_lists("--set", words, lambda word: "," in word.partition("=")[2])
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
         raise BadInput(f"run: --plot must be names of columns, but is {plot!r}")
@@ -56,8 +56,8 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
             raise BadInput(f"run: {option} needs --sweep")
         if given and merged and option != "--merge":
             raise BadInput(f"run: --merge makes no runs: leave out {option}")
-    if merged and (plot or own or "--mine" in arguments):
-        raise BadInput("run: --merge makes no runs: leave out --plot, --mine and --engine mine")
+    if merged and plot:
+        raise BadInput("run: --merge makes no runs: leave out --plot")
     extras = Extras(own or "--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1),
                     _count(slurm) if slurm else 0, tuple(merged))
     return extras, words

@@ -3,13 +3,14 @@
 import contextlib
 import re
 import shutil
+import subprocess
 import sys
 import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
 import peers
-from beside import with_changed
+from beside import require_free, value_of, with_changed
 from engine import parameters_of, program
 from errors import BadInput, CourseError
 from extras import axis_of, taken_lists
@@ -18,8 +19,7 @@ from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
-from provenance import write_manifest
-from runs import value_of
+from provenance import hashes_of, write_manifest
 from slurm import run_array
 from terminal import Live, fold, fold_lines, paint
 
@@ -45,8 +45,10 @@ class Experiment:
         found = _TITLE.search(self.drawing.read_text(encoding="utf-8")) if self.drawing.exists() else None
         return found[1] if found else ""
 
-    def folder(self, mine: bool) -> Path:
-        return BUILD / "plots" / (self.name + ("-mine" if mine else ""))
+    def folder(self, mine: bool, out: str | None) -> Path:
+        """Returns the folder of the results. `out` is the chosen one."""
+        folder = Path(out).absolute() if out else BUILD / "plots" / self.name
+        return folder.with_name(folder.name + "-mine") if mine else folder
 
 
 _OF_ENGINES = "work_precision"
@@ -68,8 +70,10 @@ def plot(arguments) -> int:
         chosen = [experiment for experiment in chosen if experiment.name != peers.NAME]  # which has no curve of theirs
     if arguments.publish and arguments.format not in (None, "svg"):
         raise BadInput(f"plot: --publish needs the format svg, but --format is {arguments.format}")
-    if len(chosen) > 1 and (arguments.more or arguments.merge):
-        raise BadInput("--merge and options after -- are for one experiment")
+    if len(chosen) > 1 and (arguments.more or arguments.merge or arguments.out):
+        raise BadInput("plot: --merge, --out and options after -- are for one experiment")
+    if "--help" in arguments.more:
+        return subprocess.run([program(f"plot_{chosen[0].name}"), "--help"]).returncode
     if len(chosen) == 1 and chosen[0].name == _OF_ENGINES:
         arguments.more = without_sweep(arguments.more)
     codes = [_one(experiment, arguments) for experiment in chosen]
@@ -82,11 +86,13 @@ def without_sweep(more: list[str]) -> list[str]:
     try:
         swept, words = taken_lists("--sweep", more)
         axes = [axis_of(text) for text in swept]
+        scene = value_of("--scene", words) or "stack"
+        words = [scene, *words]
+        parameters = parameters_of(scene) if axes else set()
+        for name, _ in axes:
+            require_free(words, name, parameters)
     except BadInput as error:
         raise BadInput(str(error).replace("run: ", "plot: ", 1)) from None
-    scene = value_of("--scene", words) or "stack"
-    words = [scene, *words]
-    parameters = parameters_of(scene) if axes else set()
     for name, values in axes:
         if name.replace("_", "-") == "warm-start" and name not in parameters:
             words.append(f"--warm-start={','.join(values)}")
@@ -97,7 +103,7 @@ def without_sweep(more: list[str]) -> list[str]:
 
 def _require_no_options(arguments) -> None:
     """Refuses options that have no effect without an experiment."""
-    for name in ("mine", "quick", "shard", "merge", "slurm", "publish", "format"):
+    for name in ("mine", "quick", "shard", "merge", "slurm", "publish", "format", "out"):
         if getattr(arguments, name):
             raise BadInput(f"plot: --{name} needs the NAME of an experiment; ./course plot lists them")
     if arguments.more:
@@ -145,9 +151,9 @@ def _one(experiment: Experiment, arguments) -> int:
     if mine:
         print(fold(f"{told(mine)} Claims about your functions:"), flush=True)
         _run(experiment, arguments, mine)
-    if not (experiment.folder(False) / "table.csv").exists():
-        return code  # a shard
-    figure = _draw(experiment, bool(mine), arguments.format or ("svg" if arguments.publish else "png"))
+    if arguments.shard and not arguments.shard.endswith("/1"):  # a part, which has no table
+        return code
+    figure = _draw(experiment, bool(mine), arguments.out, arguments.format or ("svg" if arguments.publish else "png"))
     if arguments.publish:
         if code != 0 or mine or arguments.quick:
             raise CourseError("plot: --publish needs the reference, in full size, with true claims: leave out --mine "
@@ -160,7 +166,7 @@ def _one(experiment: Experiment, arguments) -> int:
 def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
     target = f"plot_{experiment.name}"
     path = fast_program(f"{target}_mine", mine) if mine else program(target)
-    folder = experiment.folder(bool(mine))
+    folder = experiment.folder(bool(mine), arguments.out)
     folder.mkdir(parents=True, exist_ok=True)
     with _results_set_aside(folder):
         return _compute(experiment, arguments, path, folder, own_step=bool(mine and arguments.engine))
@@ -168,22 +174,23 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
 
 @contextlib.contextmanager
 def _results_set_aside(folder: Path):
-    """Moves the last results away. They are deleted once there are new ones, and restored if the command is refused or
-    stopped."""
+    """Moves the last results away. They are deleted once there are new ones, and restored otherwise: if the command is
+    refused or stopped, or computes a shard."""
     results = [folder / name for name in ("table.csv", "claims.json")]
     aside = [result.with_name(f"{result.name}.before") for result in results]
     for result, kept in zip(results, aside):
         if result.exists():
             result.replace(kept)
+    done = False
     try:
         yield
-    except BaseException:
+        done = any(result.exists() for result in results)
+    finally:
         for result, kept in zip(results, aside):
-            if kept.exists():
+            if done:
+                kept.unlink(missing_ok=True)
+            elif kept.exists():
                 kept.replace(result)
-        raise
-    for kept in aside:
-        kept.unlink(missing_ok=True)
 
 
 def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_step: bool) -> int:
@@ -193,6 +200,7 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_st
     command += ["--engine", "plain"] if own_step else []
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
+    hashes = hashes_of([path, *_scene_file(arguments.more)])
     live = Live(experiment.name, delay=0)  # the first point alone may take minutes
     held: list[str] = []  # the last line, which may be that of a refusal
 
@@ -218,16 +226,30 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_st
     if code == 1 and not (folder / "claims.json").exists():
         raise CourseError(f"{experiment.name} failed", tail(output))
     if (folder / "table.csv").exists():
-        write_manifest(folder / "table.csv", ["plot", experiment.name, *(["--quick"] if arguments.quick else []),
-                                              *(["--", *arguments.more] if arguments.more else [])], [path])
+        write_manifest(folder / "table.csv", _typed(experiment, arguments), hashes)
     return code
+
+
+def _typed(experiment: Experiment, arguments) -> list[str]:
+    """Returns the command that computes a table again."""
+    words = ["plot", experiment.name]
+    words += ["--engine", "mine"] if arguments.engine else ["--mine"] if arguments.mine else []
+    words += ["--quick"] if arguments.quick else []
+    words += ["--out", arguments.out] if arguments.out else []
+    words += ["--merge", *arguments.merge] if arguments.merge else []
+    return words + (["--", *arguments.more] if arguments.more else [])
+
+
+def _scene_file(more: list[str]) -> list[Path]:
+    scene = value_of("--scene", more) or ""
+    return [Path(scene)] if scene.endswith(".json") else []
 
 
 def _compute_on_slurm(experiment: Experiment, arguments) -> None:
     """Computes each part in the experiment's own folder, and missing points here."""
     if arguments.mine or arguments.shard or arguments.merge:
         raise BadInput("plot: --slurm divides the experiment itself; leave out --mine, --shard and --merge")
-    path, folder = program(f"plot_{experiment.name}"), experiment.folder(False)
+    path, folder = program(f"plot_{experiment.name}"), experiment.folder(False, arguments.out)
     command = [str(path), "--out", str(folder), "--shard", f"@I@/{arguments.slurm}", *arguments.more]
     failed = run_array(command + (["--quick"] if arguments.quick else []), arguments.slurm, folder / "slurm",
                        f"{experiment.name} on Slurm")
@@ -252,11 +274,11 @@ def _merge(other: Path, folder: Path) -> None:
         shutil.copyfile(part, folder / "parts" / part.name)
 
 
-def _draw(experiment: Experiment, mine: bool, kind: str) -> Path:
-    folder = experiment.folder(False)
+def _draw(experiment: Experiment, mine: bool, out: str | None, kind: str) -> Path:
+    folder = experiment.folder(False, out)
     figure = folder / f"{experiment.name}.{kind}"
     command = [sys.executable, str(experiment.drawing), "--data", str(folder)]
-    command += ["--mine", str(experiment.folder(True))] if mine else []
+    command += ["--mine", str(experiment.folder(True, out))] if mine else []
     command += ["--out", str(figure)]
     code, output = stream(command, lambda line: None)
     if code != 0:

@@ -12,15 +12,39 @@ from machine import processor_model, processors
 from version import commit, version
 
 
-def write_manifest(result: Path, command: list[str], files: list[Path]) -> None:
-    """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds; `files` are the program
-    and what it read, by which the manifest has their SHA-256."""
-    hashes = {str(file): hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()}
-    manifest = {"command": ["./course", *command], "sha256": hashes, "version": version(), "commit": commit(),
-                "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
-                "processors": processors(), "date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
-    path = result.with_name(f"{result.name}.manifest.json")
-    path.write_text(json.dumps(manifest, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+def manifest_of(result: Path) -> Path:
+    """Returns the place of a result's manifest."""
+    return result.with_name(f"{result.name}.manifest.json")
+
+
+def hashes_of(files: list[Path]) -> dict[str, str]:
+    """Returns the SHA-256 of each file, by its name as given. What is no file is left out."""
+    return {str(file): hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()}
+
+
+def write_manifest(result: Path, command: list[str], hashes: dict[str, str]) -> None:
+    """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds; `hashes` are those of the
+    program and of what it read."""
+    _write(result, {**_call(command), "sha256": hashes, "version": version(), "commit": commit(),
+                    "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
+                    "processors": processors()})
+
+
+def write_merged_manifest(result: Path, command: list[str], tables: list[dict]) -> None:
+    """Writes RESULT.manifest.json of a table that is joined from others: what their manifests have in common, and each
+    table's "file", "sha256" and "manifest"."""
+    manifests = [table["manifest"] for table in tables]
+    common = {key: value for key, value in manifests[0].items() if all(each.get(key) == value for each in manifests)}
+    _write(result, common | _call(command) | {"sha256": manifests[0]["sha256"], "merged": tables})
+
+
+def _call(command: list[str]) -> dict:
+    return {"command": ["./course", *command], "folder": os.getcwd(),
+            "date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
+
+
+def _write(result: Path, manifest: dict) -> None:
+    manifest_of(result).write_text(json.dumps(manifest, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def _compiler() -> str:

@@ -8,14 +8,16 @@ import tempfile
 from pathlib import Path
 
 import crash
-from engine import RELEASE, parameters_of, program
+from beside import require_single, value_of
+from engine import parameters_of, program
 from errors import BadInput, CourseError
-from extras import HELP, taken
+from extras import HELP, Extras, taken
 from manifest import Exercise
+from merging import merged, read_shard
 from mine import CALLS, begun, checked_program, told
 from paths import shown
-from provenance import write_manifest
-from runs import Runs, is_parquet, value_of
+from provenance import hashes_of, write_manifest, write_merged_manifest
+from runs import Runs, is_parquet, put_out, require_scene, require_table
 from terminal import fold
 
 _CHECKS = "All chapters' functions run with checks, as in ./course check, so the run is slower than usual."
@@ -27,21 +29,63 @@ def run(arguments: list[str]) -> int:
         code = _call([str(program("spook")), "run", *words])
         print(HELP, end="")
         return code
+    require_single(words)
     csv = value_of("--csv", words)
     if csv and is_parquet(csv) and not extras.sweep:
         raise BadInput(f'run: csv "{csv}": Parquet is for the table of a --sweep; the steps of one run are CSV')
     if not (extras.mine or extras.plot or extras.sweep or csv):
         return _become(["run", *words])
+    require_scene(words)
+    if extras.merge:
+        return _merge(arguments, words, extras)
     mine, called = begun() if extras.mine else [], Called()
-    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, called, call),
-                   parameters_of)
-    code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine, called)
+    path = checked_program(mine) if mine else program("spook")  # once: all runs of a sweep are of one program
+    shared = Shared([path, *_inputs(words)])
+
+    def start(words: list[str], call=None) -> int:
+        shared.require_unchanged()
+        return _guarded(path, ["run", *words], mine, called, call) if mine else (call or _call)([str(path), "run", *words])
+
+    several = Runs(words, extras, start, lambda scene: parameters_of(scene, path))
+    code = several.all() if extras.plot or extras.sweep else start(words)
     if code != 2 and csv and Path(csv).is_file():
-        write_manifest(Path(csv), ["run", *arguments], [RELEASE.program("spook_mine" if mine else "spook"), *_inputs(words)])
+        write_manifest(Path(csv), ["run", *arguments], shared.hashes)
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine, called.names)} {_CHECKS}") if mine else
               "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     return code
+
+
+def _merge(arguments: list[str], words: list[str], extras: Extras) -> int:
+    require_table(words)
+    shards = [read_shard(file) for file in extras.merge]
+    put_out(merged(words, extras, shards), words)
+    if csv := value_of("--csv", words):
+        write_merged_manifest(Path(csv), ["run", *arguments], [
+            {"file": shard.file, "sha256": shard.sha256, "manifest": shard.manifest} for shard in shards])
+    return 0
+
+
+class Shared:
+    """The files that all runs of a command read, and their SHA-256 before the first."""
+
+    def __init__(self, files: list[Path]):
+        self._states = {file: self._state(file) for file in files}
+        self.hashes = hashes_of(files)
+
+    def require_unchanged(self) -> None:
+        for file, before in self._states.items():
+            if self._state(file) != before:
+                raise CourseError(f"{shown(file)} has changed since the first run, so the runs do not belong together: "
+                                  "start again")
+
+    @staticmethod
+    def _state(file: Path) -> tuple[int, ...] | None:
+        try:
+            now = file.stat()
+        except OSError:
+            return None
+        return now.st_ino, now.st_size, now.st_mtime_ns
 
 
 def _inputs(words: list[str]) -> list[Path]:
@@ -61,13 +105,12 @@ class Called:
             self.names = (self.names or set()) | set(file.read_text(encoding="ascii").split())
 
 
-def _started(words: list[str], mine: list[Exercise], called: Called, call=None) -> int:
-    return with_yours(words, mine, called, call) if mine else (call or _call)([str(program("spook")), *words])
-
-
 def with_yours(arguments: list[str], mine: list[Exercise], called: Called, call=None) -> int:
     """Returns the exit code. `call` starts the program, as _call does. Explains a crash."""
-    path = checked_program(mine)
+    return _guarded(checked_program(mine), arguments, mine, called, call)
+
+
+def _guarded(path: Path, arguments: list[str], mine: list[Exercise], called: Called, call=None) -> int:
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         trace, calls = Path(folder, "trace"), Path(folder, "calls")
         code = (call or _call)([str(path), *arguments], **{crash.VARIABLE: str(trace), CALLS: str(calls)})

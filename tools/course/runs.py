@@ -1,6 +1,5 @@
 """./course run --plot and --sweep: one run or several, as a table and as a figure."""
 
-import csv
 import importlib.util
 import json
 import os
@@ -10,14 +9,14 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from beside import with_changed, without
+from beside import require_free, value_of, with_changed, without
 from curves import Table, draw, matching
 from errors import BadInput
 from extras import Extras
-from grid import combinations, impossible_value, number, same, write_csv, write_parquet
+from grid import combinations, impossible_value, number, write_csv, write_parquet
 from paths import BUILD, ROOT, shown
 from slurm import run_array
-from sweep import Result, Sweep, as_json, as_text, result_of
+from sweep import Result, Sweep, as_json, as_text
 from terminal import Bar, fold_lines
 
 
@@ -29,8 +28,6 @@ class Runs:
         """`start` runs the program with the words, by subprocess or by the function `call`, and returns its exit code.
         `parameters` gives the names of a scene's parameters.
         """
-        if not words or words[0].startswith("-"):
-            raise BadInput("run: a scene is missing; name it first: ./course run SCENE [OPTION ...]")
         self._words, self._extras, self._start, self._parameters = words, extras, start, parameters
 
     def all(self) -> int:
@@ -49,20 +46,12 @@ class Runs:
         return code
 
     def _sweep(self, folder: Path) -> int:
-        axes, csv = self._extras.sweep, value_of("--csv", self._words)
-        for option in ("--record", "--positions", "--checkpoint", "--restart"):
-            if value_of(option, self._words) is not None or option in self._words:
-                raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
-        if sum(word == "--csv" or word.startswith("--csv=") for word in self._words) > 1:
-            raise BadInput("run: --csv is given twice: leave one out")
-        if csv is not None:
-            _require_writable(csv)
-            _require_other(csv, self._words[0])
-            _require_format(csv)
-        if self._extras.merge:
-            return self._merged(csv)
+        axes = self._extras.sweep
+        require_table(self._words)
         plain = without([word for word in self._words if word != "--json"], "--csv")
         names = self._parameters(plain[0])
+        for name in axes:
+            require_free(plain, name, names)
         index, count = self._extras.shard
         points = combinations(axes)[index - 1::count]
         if not points:
@@ -75,31 +64,10 @@ class Runs:
         skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
         asked = [(point, words) for point, words, why in zip(points, each, refusals) if not why]
         results, tables, worst = self._results(asked, folder)
-        sweep = Sweep(axes, results, skipped, f"{index}/{count}" if count > 1 else "")
-        if csv is not None:
-            _write(csv, sweep.table())
-        print((as_json if "--json" in self._words else as_text)(sweep))
+        put_out(Sweep(axes, results, skipped, f"{index}/{count}" if count > 1 else ""), self._words)
         if tables:
             self._draw(tables)
         return worst
-
-    def _merged(self, csv: str | None) -> int:
-        """Prints the sweep of shards that were run before, from their tables."""
-        rows = [row for file in self._extras.merge for row in _rows_of(file, list(self._extras.sweep))]
-        results, missing = [], []
-        for point in combinations(self._extras.sweep):
-            row = next((row for row in rows if all(same(row[name], value) for name, value in point.items())), None)
-            if row is None:
-                missing.append(Result(point, None, "it is in none of the merged tables"))
-            else:
-                results.append(result_of(self._words[0], point, row))
-        if not results:
-            raise BadInput("run: --merge: the tables have no run of this sweep")
-        sweep = Sweep(self._extras.sweep, results, missing)
-        if csv is not None:
-            _write(csv, sweep.table())
-        print((as_json if "--json" in self._words else as_text)(sweep))
-        return 0
 
     def _changed(self, words: list[str], point: dict[str, str], names: set[str]) -> list[str]:
         for name, value in point.items():
@@ -185,16 +153,31 @@ class Runs:
         print(f"figure: {shown(figure)}", file=sys.stderr if "--json" in self._words else sys.stdout)
 
 
-def _rows_of(file: str, names: list[str]) -> list[dict[str, str]]:
-    """Reads the table of a sweep of these names."""
-    try:
-        rows = list(csv.DictReader(Path(file).read_text(encoding="utf-8").splitlines()))
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f'run: --merge "{file}" cannot be read: {error}') from None
-    for name in [*names, "error", "state", "h"]:
-        if not rows or name not in rows[0]:
-            raise BadInput(f'run: --merge "{file}" is no table of this sweep: it has no column {name}')
-    return rows
+def require_scene(words: list[str]) -> None:
+    if not words or words[0].startswith("-"):
+        raise BadInput("run: a scene is missing; name it first: ./course run SCENE [OPTION ...]")
+
+
+def require_table(words: list[str]) -> None:
+    """Refuses a --csv of a sweep that cannot be written, and options of a single run."""
+    csv = value_of("--csv", words)
+    for option in ("--record", "--positions", "--checkpoint", "--restart"):
+        if value_of(option, words) is not None or option in words:
+            raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
+    if sum(word == "--csv" or word.startswith("--csv=") for word in words) > 1:
+        raise BadInput("run: --csv is given twice: leave one out")
+    if csv is not None:
+        _require_writable(csv)
+        _require_other(csv, words[0])
+        _require_format(csv)
+
+
+def put_out(sweep: Sweep, words: list[str]) -> None:
+    """Writes the table to --csv, and prints it."""
+    csv = value_of("--csv", words)
+    if csv is not None:
+        (write_parquet if is_parquet(csv) else write_csv)(csv, sweep.table())
+    print((as_json if "--json" in words else as_text)(sweep))
 
 
 def _last_line(err: str) -> str:
@@ -223,17 +206,3 @@ def _require_format(file: str) -> None:
     if is_parquet(file) and importlib.util.find_spec("pyarrow") is None:
         raise BadInput(f'run: csv "{file}" needs the Python package pyarrow; pip install pyarrow, or give a name that '
                        "ends in .csv")
-
-
-def _write(file: str, rows: list[dict]) -> None:
-    (write_parquet if is_parquet(file) else write_csv)(file, rows)
-
-
-def value_of(option: str, words: list[str]) -> str | None:
-    """Returns the value of an option in a command line; None if it is missing."""
-    for k, word in enumerate(words):
-        if word.startswith(f"{option}="):
-            return word.partition("=")[2]
-        if word == option and k + 1 < len(words):
-            return words[k + 1]
-    return None

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from errors import CourseError
-from paths import BUILD, ROOT
+from paths import BUILD, ROOT, shown
 from process import tail
 from terminal import Live
 
@@ -61,7 +61,7 @@ def _submit(script: Path, count: int, folder: Path) -> str:
                f"--output={folder}/%a.log", str(script)]
     told = subprocess.run(command, capture_output=True, text=True, env=_environment())
     if told.returncode != 0:
-        raise CourseError("--slurm: sbatch refuses the job", tail(told.stderr))
+        raise CourseError(f"--slurm: sbatch refuses the job; its script is {shown(script)}", tail(told.stderr))
     return told.stdout.strip().split(";")[0]
 
 

@@ -1,12 +1,16 @@
 """./course run --sweep: the same scene with other values, one table row for each."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from grid import ORDERED, SEED, Fit, Mean, fits, mean_orders, means, number, orders
+import grid
+from grid import ORDERED, SEED, Fit, Mean, Row, columns, number
 from terminal import counted, fold
+
+RESULTS = ("error", "error_name", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps",
+           "time", "order")  # columns of --csv beside those of a point, and h
 
 
 @dataclass(frozen=True)
@@ -23,59 +27,70 @@ class Sweep:
     skipped: list[Result]  # combinations that the engine refuses, and why
     shard: str = ""  # "1/2" of a part
 
-    def rows(self) -> list[dict[str, Any]]:
-        """Returns a flat row for each run: its values as typed, its numbers, its state."""
-        h = next((result.run["h"] for result in self.results if result.run), None)  # of all runs, where it is not swept
-        flat = [_row(result, h) for result in self.results]
-        for row, (ratio, order) in zip(flat, orders(flat, self.axes)):
-            row |= {"ratio": ratio, "order": order}
-        return flat
+    def rows(self) -> list[Row]:
+        return [_row(result) for result in self.results]
+
+    def orders(self) -> list[tuple[float | None, float | None]]:
+        """Returns for each run the ratio of errors, and the order."""
+        return grid.orders(self.rows(), self.axes)
 
     def means(self) -> list[Mean]:
-        return means(self.rows(), self.axes) if len(self.axes.get(SEED, ())) > 1 else []
+        return grid.means(self.rows(), self.axes) if len(self.axes.get(SEED, ())) > 1 else []
 
     def fits(self) -> list[Fit]:
-        return fits(self.rows(), self.axes)
+        return grid.fits(self.rows(), self.axes)
 
     def table(self) -> list[dict[str, Any]]:
-        """Returns rows() for --csv: with h in seconds, and without the ratio."""
-        return [{name: value for name, value in row.items() if name not in ("ratio", "seconds_of_h")}
-                | {"h": row["seconds_of_h"]} for row in self.rows()]
+        """Returns a flat row for each run, for --csv: its values as typed, but h in seconds; its numbers; its state."""
+        h = next((result.run["h"] for result in self.results if result.run), None)  # of all runs, where it is not swept
+        return [columns(result.point, RESULTS) | _numbers(result) | {"order": order, "h": _step(result, h)}
+                for result, (_, order) in zip(self.results, self.orders())]
 
 
-_NONE = dict.fromkeys(("error", "error_name", "unit", "state", "why", "note", "residual", "us_per_step", "row_updates", "steps", "time"))
-
-
-def _row(result: Result, h: float | None) -> dict[str, Any]:
-    """Returns the row of a run. A run that blew up has the `h` of its point, or that of the other runs."""
-    if result.run is None:
-        h = number(result.point["h"]) if "h" in result.point else h
-        return {**result.point, **_NONE, "seconds_of_h": h, "state": "lost", "why": result.why}
+def _row(result: Result) -> Row:
     run = result.run
-    return {**result.point, "error": run["error"]["value"], "error_name": run["error"]["name"],
-            "unit": run["error"]["unit"], "state": run["state"]["name"], "why": run["state"]["reason"], "note": run["state"].get("note", ""), "residual": run["residual"], "us_per_step": run["us_per_step"],
-            "row_updates": run["row_updates"], "steps": run["steps"], "time": run["time"], "seconds_of_h": run["h"]}
+    if run is None:
+        return Row(result.point, None, "lost")
+    return Row(result.point, run["error"]["value"], run["state"]["name"], run["time"], grid.round_off(run["steps"]))
+
+
+def _numbers(result: Result) -> dict[str, Any]:
+    """Returns the columns of RESULTS."""
+    run = result.run
+    if run is None:
+        return dict.fromkeys(RESULTS) | {"state": "lost", "why": result.why}
+    return dict.fromkeys(RESULTS) | {
+        "error": run["error"]["value"], "error_name": run["error"]["name"], "unit": run["error"]["unit"],
+        "state": run["state"]["name"], "why": run["state"]["reason"], "note": run["state"].get("note", "")} | {
+        name: run[name] for name in ("residual", "us_per_step", "row_updates", "steps", "time")}
+
+
+def _step(result: Result, h: float | None) -> float | None:
+    """Returns the step of a run [s]. A run that blew up has that of its point, or that of the other runs."""
+    if result.run is None:
+        return number(result.point["h"]) if "h" in result.point else h
+    return result.run["h"]
 
 
 def result_of(scene: str, point: Mapping[str, str], row: Mapping[str, str]) -> Result:
     """Returns the result of a run from its row in the table of a sweep."""
     if not row.get("steps"):  # it did not get to its end
         return Result(point, None, row["why"])
-    numbers = {name: number(row[name]) if row[name] else None
-               for name in ("error", "h", "residual", "us_per_step", "row_updates", "steps", "time")}
-    error = {"name": row.get("error_name") or "error", "value": numbers["error"], "unit": row["unit"]}
-    return Result(point, numbers | {"scene": scene, "error": error,
-                                    "state": {"name": row["state"], "reason": row["why"], "note": row.get("note", "")}}, "")
+    numbers = {name: number(row[name]) if row[name] else None for name in ("error", "h", "residual", "us_per_step", "time")}
+    counts = {name: int(row[name]) for name in ("row_updates", "steps")}
+    error = {"name": row["error_name"], "value": numbers["error"], "unit": row["unit"]}
+    return Result(point, numbers | counts | {"scene": scene, "error": error, "state": {
+        "name": row["state"], "reason": row["why"], "note": row["note"]}}, "")
 
 
 def as_json(sweep: Sweep) -> str:
-    runs = [{"point": dict(result.point), "observed_order": row["order"], "why": result.why or None}
-            | (result.run or {}) for result, row in zip(sweep.results, sweep.rows())]
+    runs = [{"point": dict(result.point), "observed_order": order, "why": result.why or None}
+            | (result.run or {}) for result, (_, order) in zip(sweep.results, sweep.orders())]
     return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
                        "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
                        "means": [{"point": mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
                                   "mean": mean.mean, "half_width": mean.half_width, "observed_order": order}
-                                 for mean, order in zip(sweep.means(), mean_orders(sweep.means()))],
+                                 for mean, order in zip(sweep.means(), grid.mean_orders(sweep.means()))],
                        "fits": [{"point": fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
                                 for fit in sweep.fits()]}, ensure_ascii=False)
 
@@ -94,31 +109,44 @@ def as_text(sweep: Sweep) -> str:
 
 def _runs(sweep: Sweep) -> list[str]:
     rows = sweep.rows()
-    shows_state = any(result.run and row["state"] != "sound" for result, row in zip(sweep.results, rows))
-    lines = [[*sweep.axes, "error", "ratio", "order", "state", "residual [m/s]", "µs a step"]]
-    for result, row in zip(sweep.results, rows):
-        lines.append([*result.point.values(), _shown(row["error"], "none" if result.run else "lost"),
-                      _shown(row["ratio"], "", ".3g"), _shown(row["order"], "", ".2f"),
-                      row["state"] if shows_state and result.run else "", _shown(row["residual"], "", ".2g"),
-                      _shown(row["us_per_step"], "", ".3g")])
+    shows_state = any(result.run and row.state != "sound" for result, row in zip(sweep.results, rows))
+    lines = [_head(sweep.axes, "error", "ratio", "order", "state", "residual [m/s]", "µs a step")]
+    for result, row, (ratio, order) in zip(sweep.results, rows, sweep.orders()):
+        run = result.run or {}
+        lines.append([*result.point.values(), _shown(row.error, "none" if run else "lost"),
+                      _shown(ratio, "", ".3g"), _shown(order, "", ".2f"), row.state if shows_state and run else "",
+                      _shown(run.get("residual"), "", ".2g"), _shown(run.get("us_per_step"), "", ".3g")])
     return _aligned(lines, kept=len(sweep.axes) + 1, left=len(sweep.axes))
 
 
+def _head(names: Collection[str], *results: str) -> list[str]:
+    """Returns the first line of a table."""
+    return [*columns(dict.fromkeys(names), results), *results]
+
+
 def _order_note(sweep: Sweep) -> list[str]:
-    if all(row["order"] is None for row in sweep.rows()):
+    """Returns lines about orders, and about errors that show none."""
+    name = next((name for name in ORDERED if name in sweep.axes), None)
+    if name is None:
         return []
-    name = next(name for name in ORDERED if name in sweep.axes)
-    rest = ", all else equal" if len(sweep.axes) > 1 else ""
-    note = f"order p: the error is proportional to {name}^p; computed from each row and the row before{rest}"
-    return ["", *fold(note).splitlines()]
+    notes = []
+    if any(order is not None for _, order in sweep.orders()):
+        rest = ", all else equal" if len(sweep.axes) > 1 else ""
+        notes.append(f"order p: the error is proportional to {name}^p; computed from each row and the row before{rest}")
+    if any(row.at_round_off for row in sweep.rows()):
+        notes.append("no order where an error is at round-off, that is, at most 4 units in the last place for each step")
+    if ends := grid.uneven(sweep.rows(), sweep.axes):
+        notes.append(f"no order between runs that end at different times, from {ends[0]:.4g} to {ends[1]:.4g} s: "
+                     "choose a time that is a multiple of each h")
+    return [part for note in notes for part in ("", *fold(note).splitlines())]
 
 
 def _mean_lines(sweep: Sweep) -> list[str]:
     found = sweep.means()
     if not found:
         return []
-    lines = [[*found[0].point, "runs", "mean error", "±", "order", "unsolved", "lost"]]
-    for mean, order in zip(found, mean_orders(found)):
+    lines = [_head(found[0].point, "runs", "mean error", "±", "order", "unsolved", "lost")]
+    for mean, order in zip(found, grid.mean_orders(found)):
         lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"), _shown(mean.half_width, "", ".2g"),
                       _shown(order, "", ".2f"), str(mean.unsolved or ""), str(mean.lost or "")])
     lost = "; lost runs are left out" if any(mean.lost for mean in found) else ""
@@ -132,7 +160,7 @@ def _fit_lines(sweep: Sweep) -> list[str]:
     if not found:
         return []
     part = f" of shard {sweep.shard}" if sweep.shard else ""
-    lines = [[*found[0].point, "runs", "order", "±"]]
+    lines = [_head(found[0].point, "runs", "order", "±")]
     lines += [[*fit.point.values(), str(fit.runs), _shown(fit.order, "", ".2f"), _shown(fit.half_width, "", ".2g")]
               for fit in found]
     told = f"order of all runs{part}, by a straight line in log(error), with its 95 % confidence interval"

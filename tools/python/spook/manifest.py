@@ -17,7 +17,7 @@ from . import _spook
 def write(table: str | os.PathLike, call: str, scene: str) -> None:
     """Writes TABLE.manifest.json. Raises OSError."""
     files = [Path(_spook.__file__), *([Path(scene)] if scene.endswith(".json") else [])]
-    manifest = {"command": call, "version": _spook.__version__,
+    manifest = {"command": call, "folder": os.getcwd(), "version": _spook.__version__,
                 "sha256": {str(file): hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()},
                 "compiler": _spook.__compiler__, "python": platform.python_version(), "numpy": np.__version__,
                 "machine": f"{platform.system()} {platform.machine()}", "processors": os.cpu_count(),

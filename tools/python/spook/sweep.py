@@ -16,7 +16,9 @@ from . import grid, manifest
 from ._spook import SimulationDiverged
 from .scene import OPTIONS, Scene
 
-RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_updates", "unsolved_steps", "why", "note")
+RESULTS = ("error", "order", "state", "us_per_step", "seconds", "steps", "row_updates", "unsolved_steps", "why", "note")
+_OF_FITS = ("runs", "order", "half_width")
+_OF_MEANS = ("runs", "unsolved", "lost", "mean", "half_width", "order")
 _SENTENCES = ("why", "note")  # columns that a printed table leaves out
 
 
@@ -67,19 +69,25 @@ class Table:
         """
         if over not in self._names:
             raise KeyError(f"{over!r} is not swept; swept are: {', '.join(self._names)}")
-        found = grid.means(self.rows, self._names, over)
-        return Table([{**mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
-                       "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width), "order": _or_nan(order)}
+        found = grid.means(self._runs(), self._names, over)
+        return Table([{**grid.columns(mean.point, _OF_MEANS), "runs": mean.runs, "unsolved": mean.unsolved,
+                       "lost": mean.lost, "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width),
+                       "order": _or_nan(order)}
                       for mean, order in zip(found, grid.mean_orders(found))], made=self._made)
 
     def fits(self) -> Table:
         """Returns the order by a line through log(error) over log(h), or else d, or else k, for each other combination.
 
         Columns: `runs`, `order`, and `half_width` of its 95 % confidence interval. All seeds are in one line. Lost runs
-        are left out, and so are combinations with fewer than three values of h.
+        and errors at round-off are left out. So are combinations with fewer than three values of h, or with runs that
+        end at different times.
         """
-        return Table([{**fit.point, "runs": fit.runs, "order": fit.order, "half_width": fit.half_width}
-                      for fit in grid.fits(self.rows, self._names)], made=self._made)
+        return Table([{**grid.columns(fit.point, _OF_FITS), "runs": fit.runs, "order": fit.order,
+                       "half_width": fit.half_width} for fit in grid.fits(self._runs(), self._names)], made=self._made)
+
+    def _runs(self) -> list[grid.Row]:
+        columns = grid.columns({name: name for name in self._names}, RESULTS)
+        return [_run_of({name: row[column] for column, name in columns.items()}, row) for row in self.rows]
 
     def to_csv(self, file: str | os.PathLike) -> None:
         """Writes a line of column names and a line for each row, and FILE.manifest.json with the call, versions and
@@ -125,12 +133,16 @@ def sweep(scene: Scene | str, *, jobs: int | None = None, progress: bool = True,
 
         h             as a number [s]
         error         against the known answer
-        order         observed, from the last row where only h (or else d, or k) differs: log(e/e')/log(h/h')
+        order         observed, from the last row where only h (or else d, or k) differs: log(e/e')/log(h/h'). NaN if
+                      an error is at round-off, or the two runs end at different times
         state         sound, unsolved, lost, or blew up
         us_per_step   [µs]; while other cores run, more than alone. jobs=1 measures speed
         seconds       the time to compute the run [s]
+        steps         their number
         row_updates   the same cost on every machine
         unsolved_steps, why, note   as in a Run: why is its reason
+
+    A parameter of a file with the name of one of these has a column with "=" after its name.
 
     Refused combinations are skipped: the table's `skipped` has them. Raises ValueError, before any run, for a
     value that every combination refuses.
@@ -161,12 +173,13 @@ def sweep(scene: Scene | str, *, jobs: int | None = None, progress: bool = True,
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
-    rows = [{**point, **future.result()} for (point, _), future in zip(asked, futures)]
-    for row, (_, order) in zip(rows, grid.orders(rows, axes)):
+    rows = [{**grid.columns(point, RESULTS), **future.result()} for (point, _), future in zip(asked, futures)]
+    runs = [_run_of(point, row) for (point, _), row in zip(asked, rows)]
+    for row, (_, order) in zip(rows, grid.orders(runs, axes)):
         row["order"] = _or_nan(order)
     named = ", ".join(f"{name}={values!r}" for name, values in axes.items())
-    return Table(rows, axes, [{**point, "why": why} for point, why in zip(points, refusals) if why],
-                 (f"spook.sweep({scene!r}, {named})", scene.name))
+    skipped = [{**grid.columns(point, RESULTS), "why": why} for point, why in zip(points, refusals) if why]
+    return Table(rows, axes, skipped, (f"spook.sweep({scene!r}, {named})", scene.name))
 
 
 def _require_known(scene: Scene, names: Iterable[str]) -> None:
@@ -195,14 +208,21 @@ def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any
 
 
 def _row(scene: Scene, options: dict[str, Any]) -> dict[str, Any]:
-    none = dict.fromkeys(RESULTS, math.nan) | {"why": "", "note": ""}
+    none = dict.fromkeys(("h", *RESULTS), math.nan) | {"why": "", "note": ""}
     try:
         run = scene.run_with(options)
     except SimulationDiverged as diverged:
         return none | {"h": grid.number(options.get("h", scene.about["h"])), "state": "blew up", "why": str(diverged)}
     return none | {"h": run.h, "error": run.error, "state": run.state, "us_per_step": _or_nan(run.us_per_step),
-                   "seconds": run.seconds, "row_updates": run.row_updates, "unsolved_steps": run.unsolved_steps,
-                   "why": run.reason, "note": run.note}
+                   "seconds": run.seconds, "steps": run.steps, "row_updates": run.row_updates,
+                   "unsolved_steps": run.unsolved_steps, "why": run.reason, "note": run.note}
+
+
+def _run_of(point: dict[str, Any], row: dict[str, Any]) -> grid.Row:
+    """Returns a row of a sweep's table as orders and means take it. The steps of a run that blew up are not known."""
+    steps = row["steps"]
+    end = None if math.isnan(steps) else steps * row["h"]
+    return grid.Row(point, row["error"], row["state"], end, grid.round_off(steps))
 
 
 def _or_nan(number: float | None) -> float:
