@@ -20,8 +20,8 @@ struct RigidBody {
   Quat q = Quat::Identity();  ///< orientation at t_n, body to world
   Vec3 omega = Vec3::Zero();  ///< angular velocity at t_n - h/2, in the world [rad/s]
   double mass = 0;            ///< [kg]; 0 is a static body
-  Vec3 principal =
-      Vec3::Zero();  ///< principal moments of inertia [kg m²]; zero: a point mass, which does not turn
+  /// Principal moments of inertia [kg m²]; zero: a point mass, which does not turn.
+  Vec3 principal = Vec3::Zero();
 
   double radius = 0;               ///< radius of its ball [m]; 0: no ball
   Vec3 half_sides = Vec3::Zero();  ///< half sides of its box [m]; zero: no box

@@ -43,7 +43,7 @@ SolverResult swing(const Wire& wire, int steps, const std::string& solver, const
   World<3> world({.gravity = Vec3(0, 0, -g),
                   .k = k,
                   .d = 3.0,
-                  .solver = find_solver<3>(solver).make(),
+                  .solver = find_solver<3>(solver).make_on_box(),
                   .solver_limits = stop});
   const Vec3 along(std::sin(angle), 0, -std::cos(angle));
   world.add_fixed(Vec3::Zero());

@@ -56,7 +56,7 @@ Solver<Dof> make_solver(const Method& method) {
   if (method.accuracy) return named.make_to(model, *method.accuracy);
   if (model == FrictionModel::cone) return named.make_on_cones();
   Solver<Dof> solver = method.row_order == RowOrder::given
-                           ? named.make()
+                           ? named.make_on_box()
                            : ordered_gauss_seidel<Dof>(method.row_order, method.seed);
   return model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;
 }

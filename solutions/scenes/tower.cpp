@@ -72,7 +72,7 @@ SceneDescription tower() {
           .summary = "Cubes stand on top of each other; one may be heavy.",
           .answer =
               "Level i is N_i/(4 k) deep, with N_i the weight of all cubes above it: four contacts share it. "
-              "No cube moves sideways. With ten sweeps a step the run of a tower of twenty is lost.",
+              "No cube moves sideways. With ten sweeps a step a tower of twenty collapses.",
           .error_name = "largest error of the last sinkings over the top's",
           .error_unit = "relative",
           .parameters = {parameter::boxes(5, 1000),

@@ -44,8 +44,13 @@ class FileScene : public WorldScene<Dof> {
     const Place file(json, "");
     const BodyNames names(file["bodies"]);
     add_all(file, names, this->world_);
-    if (const auto start = file.find("half_step_start"); start && start->flag())
-      this->world_.start_half_step_back(this->h_);
+    if (const auto start = file.find("half_step_start"); start && start->flag()) {
+      // Joints change velocities from the first half step on: without their forces the start is of first order.
+      if (this->world_.joints().empty())
+        this->world_.start_half_step_back(this->h_);
+      else
+        this->world_.start_consistently(this->h_);
+    }
     if (const auto expected = file.find("expected"))
       for (const Place& each : expected->list()) {
         each.require_keys({"body", "time", "x", "tolerance"});
@@ -126,6 +131,11 @@ SceneDescription described(const std::string& name, const Json& written) {
   Place(written, "")
       .require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
                      "parameters", "settings", "bodies", "joints", "materials", "no_contact", "expected"});
+  // Options of a run change these two, as they do for a scene without a file.
+  for (const std::string key : {"h", "time"})
+    if (const auto place = Place(written, "").find(key);
+        place && place->holds_text() && place->text().starts_with("$"))
+      place->reject("a number, which --" + key + " changes");
   const std::vector<Parameter> parameters = parameters_in(written);
   const Json json = with_values(written, parameters);
   const Place file(json, "");

@@ -34,7 +34,7 @@ TEST(Anderson, HasTheAnswerOfSweepsAfterFewer) {
   const struct {
     std::string name;
     Solver<6> plain, accelerated;
-  } models[] = {{"box", gauss_seidel<6>(), anderson<6>()},
+  } models[] = {{"box", gauss_seidel<6>(), anderson<6>(FrictionModel::box)},
                 {"cone", cone_gauss_seidel<6>(), anderson<6>(FrictionModel::cone)}};
   for (const auto& [name, plain, accelerated] : models) {
     const World<6> slow = pushed_tower(plain, stop), fast = pushed_tower(accelerated, stop);
@@ -48,7 +48,7 @@ TEST(Anderson, HasTheAnswerOfSweepsAfterFewer) {
 
 TEST(Anderson, IsWithinTheBoundsWheneverItStops) {
   for (int sweeps = 1; sweeps <= 40; ++sweeps) {
-    const World<6> box = pushed_tower(anderson<6>(), {.max_sweeps = sweeps}, 1000);
+    const World<6> box = pushed_tower(anderson<6>(FrictionModel::box), {.max_sweeps = sweeps}, 1000);
     EXPECT_EQ(box.report().iterations, sweeps);
     for (const Row<6>& row : box.rows()) EXPECT_TRUE(row.lo <= row.lambda && row.lambda <= row.hi);
     const World<6> on_cones = pushed_tower(anderson<6>(FrictionModel::cone), {.max_sweeps = sweeps}, 1000);
@@ -64,7 +64,7 @@ TEST(Anderson, IsWithinTheBoundsWheneverItStops) {
 TEST(Anderson, BeginsAsSweepsDo) {
   // There is nothing to mix before the third sweep.
   for (const int sweeps : {1, 2})
-    EXPECT_EQ(apart(pushed_tower(anderson<6>(), {.max_sweeps = sweeps}),
+    EXPECT_EQ(apart(pushed_tower(anderson<6>(FrictionModel::box), {.max_sweeps = sweeps}),
                     pushed_tower(gauss_seidel<6>(), {.max_sweeps = sweeps})),
               0);
 }
@@ -75,7 +75,8 @@ TEST(Anderson, NeedsNoMoreSweepsWhateverTheLoad) {
     const auto sweeps = [&](const Solver<6>& solver) {
       return pushed_tower(solver, stop, top).report().iterations;
     };
-    EXPECT_LE(sweeps(anderson<6>()), sweeps(gauss_seidel<6>())) << "under a top of " << top << " kg";
+    EXPECT_LE(sweeps(anderson<6>(FrictionModel::box)), sweeps(gauss_seidel<6>()))
+        << "under a top of " << top << " kg";
     EXPECT_LE(sweeps(anderson<6>(FrictionModel::cone)), sweeps(cone_gauss_seidel<6>()))
         << "under a top of " << top << " kg";
   }

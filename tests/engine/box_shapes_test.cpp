@@ -46,7 +46,7 @@ TEST(Boxes, AreRefusedWithAnotherShapeOrNoSize) {
 
 TEST(Boxes, RestOnEachOtherAndOnTheGround) {
   // Four contacts a level: gap = -N/(4 k), Eq. (3.13).
-  World<6> world({.k = k, .friction = 0.5, .solver = find_solver<6>("direct").make()});
+  World<6> world({.k = k, .friction = 0.5, .solver = find_solver<6>("direct").make_on_box()});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 half(0.5, 0.3, 0.2);
   // They overlap a little, so that round-off does not decide which corners touch first.

@@ -11,21 +11,24 @@ namespace {
 constexpr double g = 9.81;
 
 TEST(ChangedSteps, KeepTheHeightOfAnElasticBall) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .impacts = ImpactLaw{.restitution = 1}});
-  world.add_plane(Vec3::UnitZ(), 0);
-  const double radius = 0.1, height = 1;
-  const int ball = world.add({.x = Vec3(0, 0, radius + height), .mass = 1, .radius = radius});
-  double h = 1.0 / 30;
-  world.start_half_step_back(h);
-  int impacts = 0;
-  for (int n = 0; n < 2000; ++n) {
-    h = n / 7 % 2 == 0 ? 1.0 / 30 : 1.0 / 144;
-    world.step(h);
-    impacts += world.report().impacts;
-    const double v = world.synchronized_velocity(ball, h).z(), z = world.x(ball).z() - radius;
-    EXPECT_NEAR(z + v * v / (2 * g), height, 1e-9) << "step " << n;
+  // A ball that a long step moves into the floor is found by a short one, many of its lengths late.
+  for (const double shorter : {1.0 / 144, 1.0 / 300, 1.0 / 1000, 1e-4}) {
+    World<3> world({.gravity = Vec3(0, 0, -g), .impacts = ImpactLaw{.restitution = 1}});
+    world.add_plane(Vec3::UnitZ(), 0);
+    const double radius = 0.1, height = 1;
+    const int ball = world.add({.x = Vec3(0, 0, radius + height), .mass = 1, .radius = radius});
+    double h = 1.0 / 30;
+    world.start_half_step_back(h);
+    int impacts = 0;
+    for (int n = 0; n < 2000; ++n) {
+      h = n / 7 % 2 == 0 ? 1.0 / 30 : shorter;
+      world.step(h);
+      impacts += world.report().impacts;
+      const double v = world.synchronized_velocity(ball, h).z(), z = world.x(ball).z() - radius;
+      ASSERT_NEAR(z + v * v / (2 * g), height, 1e-9) << "step " << n << ", shorter steps of " << shorter;
+    }
+    EXPECT_GE(impacts, 20);
   }
-  EXPECT_GE(impacts, 20);
 }
 
 TEST(ChangedSteps, LetABodyFallAsOneStepWould) {

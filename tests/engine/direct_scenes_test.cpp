@@ -53,7 +53,7 @@ TEST(DirectSolver, SolvesContradictoryRows) {
 
 TEST(DirectSolver, SaysWhenItCouldNot) {
   // The same distance twice, with k so large that Σ is negligible beside S: the second has no pivot.
-  World<3> world({.k = 1e30, .solver = find_solver<3>("direct").make()});
+  World<3> world({.k = 1e30, .solver = find_solver<3>("direct").make_on_box()});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(0, 0, -1)});
   for (int twice = 0; twice < 2; ++twice) world.add_joint({.i = 0, .j = 1, .length = 1});
@@ -118,13 +118,13 @@ TEST(StiffLinks, LoseEnergyWithTheSquareOfTheStep) {
 
 TEST(StiffLinks, AreNotForRigidBodies) {
   expect_refusal({"solver", "geometric_stiffness", "geometric_stiffness"},
-                 [] { find_solver<6>("geometric_stiffness").make(); });
+                 [] { find_solver<6>("geometric_stiffness").make_on_box(); });
 }
 
 TEST(StiffLinks, AreNotUsedOnWiresWithContacts) {
   // One wire swings freely; the load of another lies on the ground, and is solved without K.
   World<3> world({.k = 1e6,
-                  .solver = find_solver<3>("geometric_stiffness").make(),
+                  .solver = find_solver<3>("geometric_stiffness").make_on_box(),
                   .solver_limits = {.max_sweeps = 1000, .tolerance = 1e-13}});
   world.add_plane(Vec3::UnitZ(), 0);
   const double radius = 0.1;

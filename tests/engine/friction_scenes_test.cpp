@@ -115,12 +115,12 @@ TEST(InclineScene, ThatBlowsUpNamesStepAndBodyAndLeavesWhatWasWritten) {
   try {
     run(incline, with(incline, {{"g", "1e306"}}), {.method = {.h = 1}, .time = 1000}, {.csv = &csv});
     ADD_FAILURE() << "no SimulationDiverged";
-  } catch (const SimulationDiverged& blowup) {
-    EXPECT_EQ(blowup.body(), 1) << "the block; 0 is the slope";
+  } catch (const SimulationDiverged& diverged) {
+    EXPECT_EQ(diverged.body(), 1) << "the block; 0 is the slope";
     const std::string text = csv.str();
     // The columns, the start, and every step before that one.
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + blowup.step());
-    EXPECT_GT(blowup.step(), 10);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + diverged.step());
+    EXPECT_GT(diverged.step(), 10);
     EXPECT_EQ(text.find("nan"), std::string::npos);
   }
 }

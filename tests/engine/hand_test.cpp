@@ -149,7 +149,7 @@ TEST(World, TakesAJointOutAndNumbersTheRestAnew) {
     }
 }
 
-TEST(GoOn, IsTheSameRunToTheLastBit) {
+TEST(TakeStateFrom, ContinuesTheRunToTheLastBit) {
   for (const SceneDescription& scene : scenes()) {
     // Nothing is kept from step to step: no impulses.
     const Parameters parameters(scene.parameters);
@@ -170,7 +170,7 @@ TEST(GoOn, IsTheSameRunToTheLastBit) {
   }
 }
 
-TEST(GoOn, TakesTheHandAlong) {
+TEST(TakeStateFrom, CopiesTheHand) {
   const SceneDescription& pile = find_scene("pile");
   const Method method{.h = 0.01};
   const auto first = pile.build(with(pile, {{"bodies", "5"}}), method);

@@ -131,9 +131,9 @@ TEST(Islands, AreFactorisedWhenSweepsFail) {
   for (const std::int64_t updates : {50 * 60, 0}) {
     std::vector<Row<3>> rows = stiff.rows;
     std::vector<Twist<3>> V = stiff.V;
-    const SolverResult outcome = solve_by(solver, stiff.motion, rows, V, few);
-    EXPECT_EQ(outcome.row_updates, updates) << "the second time the outcome is known";
-    EXPECT_TRUE(outcome.report.converged);
+    const SolverResult result = solve_by(solver, stiff.motion, rows, V, few);
+    EXPECT_EQ(result.row_updates, updates) << "the second time the outcome is known";
+    EXPECT_TRUE(result.report.converged);
     for (std::size_t k = 0; k < rows.size(); ++k)
       EXPECT_NEAR(rows[k].lambda, exact[k].lambda, 1e-12 * std::abs(exact[k].lambda)) << "row " << k;
   }
@@ -150,9 +150,9 @@ TEST(Islands, AreSolvedAsIfAlone) {
   net.hang(anchor, 7, 100);
   std::vector<Row<3>> rows = net.rows;
   std::vector<Twist<3>> V = net.V;
-  const SolverResult outcome = solve_by(automatic<3>(), net.motion, rows, V);
-  EXPECT_TRUE(outcome.report.converged);
-  EXPECT_EQ(outcome.row_updates, 0) << "both are wires: no sweeps";
+  const SolverResult result = solve_by(automatic<3>(), net.motion, rows, V);
+  EXPECT_TRUE(result.report.converged);
+  EXPECT_EQ(result.row_updates, 0) << "both are wires: no sweeps";
 
   Factors factors;
   std::vector<Row<3>> whole = net.rows;
@@ -171,12 +171,12 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   net.hang(net.add_point(0), 5);
   const int hub = net.add_point();
   for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
-  const SolverResult outcome = solve_by(automatic<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
-  EXPECT_EQ(outcome.row_updates, 100 * 60) << "the star is swept, the wire is not";
-  EXPECT_EQ(outcome.report.history.size(), 101U) << "and the remainder is factorised";
+  const SolverResult result = solve_by(automatic<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
+  EXPECT_EQ(result.row_updates, 100 * 60) << "the star is swept, the wire is not";
+  EXPECT_EQ(result.report.history.size(), 101U) << "and the remainder is factorised";
 }
 
-TEST(Outcomes, InTurnGoOn) {
+TEST(SolverResult, AppendedHasBothHistoriesAndTheSecondsOutcome) {
   const SolverResult swept{SolveReport{.history = {3, 2}, .converged = true}};
   SolverResult direct{SolveReport{.history = {1}, .converged = false, .trouble = "why"}};
   direct.row_updates = 0;
@@ -188,7 +188,7 @@ TEST(Outcomes, InTurnGoOn) {
   EXPECT_TRUE(append(direct, swept, 10).report.converged);
 }
 
-TEST(Outcomes, InParallelAreAsGoodAsTheWorse) {
+TEST(SolverResult, MergedIsAsGoodAsTheWorse) {
   SolverResult one{SolveReport{.history = {3, 1}, .converged = true}};
   SolverResult other{SolveReport{.history = {2, std::nan(""), 1}, .converged = false, .trouble = "why"}};
   one.row_updates = 20;

@@ -304,6 +304,35 @@ TEST(Limit, IsPassedByNoMotor) {
           }
 }
 
+TEST(Limit, CarriesAMotorThatDrivesIntoIt) {
+  // A rod of 1 kg hangs sideways on a hinge. At rest at its limit, motor, limit and weight are in balance: the motor has
+  // its strength T, and the limit has -(T + m g r cos θ).
+  const double h = 1.0 / 120, r = 0.5, angle = 0.3, weight = 9.81 * r * std::cos(angle);
+  for (const double sign : {1.0, -1.0})
+    for (const double strength : {0.0, 2.0, 5.0, 1e4})
+      for (const std::optional<SoftSteps>& soft : {std::optional<SoftSteps>(), std::optional(SoftSteps{})}) {
+        World<6> world({.gravity = Vec3(0, 0, -9.81 * sign), .soft_steps = soft});
+        const int frame = world.add_fixed(Vec3::Zero());
+        const int rod = world.add({.x = Vec3(r, 0, 0), .principal = Vec3(0.01, 1.0 / 12, 1.0 / 12)});
+        const JointLimits limits =
+            sign > 0 ? JointLimits{.lower = -1, .upper = angle} : JointLimits{.lower = -angle, .upper = 1};
+        const int hinge = world.add_joint({.i = frame,
+                                           .j = rod,
+                                           .p_j = Vec3(-r, 0, 0),
+                                           .kind = JointKind::hinge,
+                                           .axis = Vec3::UnitY(),
+                                           .limits = limits,
+                                           .motor = Motor{.speed = sign, .strength = strength}});
+        for (int n = 0; n < 480; ++n) world.step(h);
+        const auto what = ::testing::Message()
+                          << strength << " N m, sign " << sign << (soft ? ", soft steps" : "");
+        // The softness of a limit in soft steps turns the arm by some 1e-4 rad under its load.
+        const double tolerance = (soft ? 1e-3 : 1e-6) * (strength + weight);
+        EXPECT_NEAR(world.motor_force(hinge), sign * strength, tolerance) << what;
+        EXPECT_NEAR(world.limit_force(hinge), -sign * (strength + weight), tolerance) << what;
+      }
+}
+
 TEST(Limit, LeavesAMotorAloneUntilItIsReached) {
   // Eq. (13.17) is the speed itself, bit by bit, while the distance to the limit exceeds that of a step.
   const double h = 1.0 / 60, speed = 2;

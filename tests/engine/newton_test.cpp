@@ -79,7 +79,7 @@ TEST(Newton, HasTheAnswerOfTheDirectSolverWhereNothingSlides) {
   // soft tower of ten makes about a hundred times as much: S has its least pivot at Σ, 1e-3/kg, beside 2/kg.
   for (const double ratio : {1.0, 1e3}) {
     World<6> exact = tower(direct<6>(), 10, ratio), cones = tower(on_cones(), 10, ratio),
-             rows = tower(newton<6>(), 10, ratio);
+             rows = tower(newton<6>(FrictionModel::box), 10, ratio);
     for (int step = 0; step < 30; ++step) {
       for (World<6>* world : {&exact, &cones, &rows}) world->step(h);
       EXPECT_LE(apart(cones, exact), 1e-9 * ratio) << "step " << step << ", " << ratio << ":1";
@@ -119,7 +119,7 @@ TEST(Newton, IsInsideTheConesWheneverItStops) {
 TEST(Newton, IsWithinTheBoundsWheneverItStops) {
   for (const double top : {1.0, 1000.0})
     for (int most = 1; most <= 20; ++most) {
-      const World<6> world = pushed_tower(newton<6>(), {.max_sweeps = most}, top);
+      const World<6> world = pushed_tower(newton<6>(FrictionModel::box), {.max_sweeps = most}, top);
       for (const Row<6>& row : world.rows()) EXPECT_TRUE(row.lo <= row.lambda && row.lambda <= row.hi);
     }
 }
@@ -163,7 +163,7 @@ TEST(Newton, ReturnsAtOnceForRowsAtRest) {
   for (const int count : {0, 1}) {
     std::vector<Row<3>> rows(static_cast<std::size_t>(count), make_row(rests, motion));
     std::vector<Twist<3>> V(2, Vec3::Zero());
-    EXPECT_TRUE(solve_by(newton<3>(), motion, rows, V).report.converged) << count;
+    EXPECT_TRUE(solve_by(newton<3>(FrictionModel::box), motion, rows, V).report.converged) << count;
     EXPECT_EQ(V[1], Vec3::Zero());
   }
 }

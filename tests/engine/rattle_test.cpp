@@ -18,7 +18,7 @@ using spook::testing::expect_order;
 constexpr double epsilon = 2.2e-16;
 constexpr double g = 9.81;
 
-double composed_error(const std::string& name, const SceneSettings& settings, double h, double time) {
+double rattle_error(const std::string& name, const SceneSettings& settings, double h, double time) {
   const SceneDescription& description = find_scene(name);
   const auto scene = description.build(with(description, settings),
                                        {.h = h, .solver = description.solver, .integrator_order = 4});
@@ -33,34 +33,34 @@ double composed_error(const std::string& name, const SceneSettings& settings, do
 
 void expect_order_four(const std::string& scene, const SceneSettings& settings, double h, double time) {
   expect_order(
-      scene + ", error", "Eq. (1.13)", [&](double step) { return composed_error(scene, settings, step, time); },
+      scene + ", error", "Eq. (1.13)", [&](double step) { return rattle_error(scene, settings, step, time); },
       h, 3, 4, 0.1);
 }
 
 // Order
 
-TEST(Composed, OrbitIsOfOrderFour) {
+TEST(Rattle, OrbitIsOfOrderFour) {
   expect_order_four("orbit", {}, 0.05, 10);
 }
 
-TEST(Composed, OscillatorIsOfOrderFour) {
+TEST(Rattle, OscillatorIsOfOrderFour) {
   expect_order_four("oscillator", {}, 0.02, 2);
 }
 
-TEST(Composed, PendulumOfAPointIsOfOrderFour) {
+TEST(Rattle, PendulumOfAPointIsOfOrderFour) {
   expect_order_four("pendulum", {{"d", "0"}, {"model", "point"}}, 0.02, 3);
 }
 
-TEST(Composed, PendulumOfABodyIsOfOrderFour) {
+TEST(Rattle, PendulumOfABodyIsOfOrderFour) {
   expect_order_four("pendulum", {{"d", "0"}, {"model", "body"}}, 0.02, 3);
 }
 
-TEST(Composed, DoublePendulumIsOfOrderFour) {
+TEST(Rattle, DoublePendulumIsOfOrderFour) {
   expect_order_four("double_pendulum", {{"d", "0"}}, 1.0 / 60, 2);
 }
 
-TEST(Composed, DoublePendulumIsRightToThreeMicrometresAt60StepsASecond) {
-  EXPECT_LT(2 * composed_error("double_pendulum", {{"d", "0"}}, 1.0 / 60, 2), 3e-6);  // l1 + l2 = 2 m
+TEST(Rattle, DoublePendulumIsRightToThreeMicrometresAt60StepsASecond) {
+  EXPECT_LT(2 * rattle_error("double_pendulum", {{"d", "0"}}, 1.0 / 60, 2), 3e-6);  // l1 + l2 = 2 m
 }
 
 /// Three boxes, each of three different moments, hung from each other by their corners, and spinning.
@@ -88,7 +88,7 @@ Vec3 end_of_tumbling(double h, double time) {
   return world.x(3);
 }
 
-TEST(Composed, BodiesThatTurnAreOfOrderFour) {
+TEST(Rattle, BodiesThatTurnAreOfOrderFour) {
   // Without a closed form: two steps of h/2 against one of h, whose difference falls as their error does.
   const auto difference = [](double h) {
     return (end_of_tumbling(h, 0.8) - end_of_tumbling(h / 2, 0.8)).norm();
@@ -96,7 +96,7 @@ TEST(Composed, BodiesThatTurnAreOfOrderFour) {
   expect_order("three boxes on ball joints, x(h) - x(h/2) [m]", "Eq. (1.13)", difference, 0.01, 3, 4, 0.15);
 }
 
-TEST(Composed, TorquesThatChangeInTimeAreOfOrderFour) {
+TEST(Rattle, TorquesThatChangeInTimeAreOfOrderFour) {
   // I θ'' = T cos t - c sin θ of a wheel with a spring that winds about it, against two halves of each step.
   const auto turned = [](double h) {
     World<6> world({.gravity = Vec3::Zero(),
@@ -113,7 +113,7 @@ TEST(Composed, TorquesThatChangeInTimeAreOfOrderFour) {
   expect_order("a wheel that is driven to and fro, x(h) - x(h/2)", "Eq. (1.13)", difference, 0.1, 3, 4, 0.15);
 }
 
-TEST(Composed, RowsThatRepeatEachOtherDoNotMatter) {
+TEST(Rattle, RowsThatRepeatEachOtherDoNotMatter) {
   // Two ball joints on one line leave a body one angle, and hold its place along the line twice.
   const auto swung = [](double h) {
     World<6> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4});
@@ -143,7 +143,7 @@ World<3> chain(int links) {
   return world;
 }
 
-TEST(Composed, JointsAreHeldToRoundings) {
+TEST(Rattle, JointsAreHeldToRoundings) {
   for (const int links : {3, 30}) {  // the factors are dense, and sparse
     World<3> world = chain(links);
     for (int n = 0; n < 200; ++n) {
@@ -159,7 +159,7 @@ TEST(Composed, JointsAreHeldToRoundings) {
   }
 }
 
-TEST(Composed, RunsBackToWhereItCameFrom) {
+TEST(Rattle, RunsBackToWhereItCameFrom) {
   World<6> world = tumbling();
   const std::vector<Vec3> x = world.bodies().x;
   for (int n = 0; n < 100; ++n) world.step(0.01);
@@ -173,7 +173,7 @@ TEST(Composed, RunsBackToWhereItCameFrom) {
     EXPECT_LE((world.bodies().x[body] - x[body]).norm(), 1e-9) << "round-off, which grows in the chain";
 }
 
-TEST(Composed, EnergyStaysInItsBand) {
+TEST(Rattle, EnergyStaysInItsBand) {
   // Two points that swing by half a radian: not chaotic, so that no later swing is faster than the first few.
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4});
   int last = world.add_fixed(Vec3::Zero());
@@ -197,7 +197,7 @@ TEST(Composed, EnergyStaysInItsBand) {
   EXPECT_LT(all, std::pow(h * faster, 4) * 3 * g * (1 - std::cos(0.5))) << "(h ω)⁴ of what swings";
 }
 
-TEST(Composed, MomentumIsKept) {
+TEST(Rattle, MomentumIsKept) {
   World<6> world({.gravity = Vec3::Zero(), .integrator_order = 4});
   const Vec3 half(0.3, 0.1, 0.15);
   for (int n = 0; n < 2; ++n)
@@ -215,7 +215,7 @@ TEST(Composed, MomentumIsKept) {
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 50 * steps * epsilon);
 }
 
-TEST(Composed, JointsTellTheMeanOfTheirForce) {
+TEST(Rattle, JointsTellTheMeanOfTheirForce) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(0, 0, -2), .mass = 3});
@@ -225,7 +225,7 @@ TEST(Composed, JointsTellTheMeanOfTheirForce) {
   EXPECT_NEAR(world.forces()[1].z(), -3 * g, 1e-12);
 }
 
-TEST(Composed, VelocitiesAreOfTheTimeOfPositions) {
+TEST(Rattle, VelocitiesAreOfTheTimeOfPositions) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4});
   world.add({});
   world.start_half_step_back(0.1);
@@ -237,7 +237,7 @@ TEST(Composed, VelocitiesAreOfTheTimeOfPositions) {
 
 // Unsolvable steps and refused input
 
-TEST(Composed, SaysWhenCorrectionsDoNotSuffice) {
+TEST(Rattle, SaysWhenCorrectionsDoNotSuffice) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4, .solver_limits = {.max_sweeps = 1}});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(1, 0, 0), .v = Vec3(0, 0, 3)});
@@ -247,7 +247,7 @@ TEST(Composed, SaysWhenCorrectionsDoNotSuffice) {
   EXPECT_GT(world.report().residual, 0);
 }
 
-TEST(Composed, RefusesWhatHasNoWayBack) {
+TEST(Rattle, RefusesWhatHasNoWayBack) {
   using Points = World<3>;
   using Solids = World<6>;
   expect_refusal({"integrator_order", "2 or 4", "3"}, [] { Points world({.integrator_order = 3}); });

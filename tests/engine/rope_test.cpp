@@ -143,7 +143,7 @@ TEST(Ropes, MayBeginWhereTheirEndsCoincide) {
 
 TEST(Ropes, HoldWithEverySolver) {
   for (const NamedSolver<3>& named : solvers<3>()) {
-    World<3> world({.solver = named.make(), .solver_limits = {.max_sweeps = 200}});
+    World<3> world({.solver = named.make_on_box(), .solver_limits = {.max_sweeps = 200}});
     world.add_fixed(Vec3::Zero());
     for (int n = 1; n <= 3; ++n) {
       world.add({.x = Vec3(0.1 * n, 0, 0), .mass = 1});

@@ -3,76 +3,40 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
+#include "raw_system.hpp"
 #include "refusals.hpp"
 
 namespace spook::small_direct_test {
 namespace {
 
-constexpr double h = 1.0 / 60;
-
-/// Random rows between bodies of masses from e⁻³ to e³, the first of which is static.
+/// A chain of bodies of masses from e⁻³ to e³, the first of which is static, with rows between neighbours.
 template <int Dof>
-struct Random {
-  Motion<Dof> motion;
-  std::vector<Row<Dof>> rows;
-  std::vector<Twist<Dof>> V;
-
-  Random(unsigned seed, int bodies, int count, double bound = infinity) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    const auto any = [&] {
-      Twist<Dof> twist;
-      for (double& component : twist) component = uniform(random);
-      return twist;
-    };
+struct Chain : RandomSystem<Dof> {
+  Chain(unsigned seed, int bodies, int count, double bound = infinity) : RandomSystem<Dof>(seed) {
     for (int b = 0; b < bodies; ++b) {
       InverseMass<Dof> inverse{};
       if (b > 0) {
-        inverse.linear = std::exp(3 * uniform(random));
+        inverse.linear = std::exp(3 * this->uniform());
         if constexpr (Dof == 6) inverse.angular = 6 * inverse.linear * Mat3::Identity();
       }
-      motion.inverse_mass.push_back(inverse);
-      motion.W.push_back(any());
-      motion.Wf.push_back(h * any());
+      this->add_body(inverse);
     }
-    V.assign(motion.W.size(), Twist<Dof>::Constant(7));  // whatever it is
+    this->V.assign(this->motion.W.size(), Twist<Dof>::Constant(7));  // whatever it is
     for (int k = 0; k < count; ++k) {
-      const int i = k % (bodies - 1), j = i + 1;
-      const Twist<Dof> Gi = any(), Gj = any();
-      rows.push_back(make_row<Dof>({.i = i,
-                                    .j = j,
-                                    .Gi = Gi,
-                                    .Gj = Gj,
-                                    .gap = 0.01 * uniform(random),
-                                    .spook = spook_parameters(h, 1e9, 3),
-                                    .lo = -bound,
-                                    .hi = bound},
-                                   motion));
+      const int i = k % (bodies - 1);
+      this->add_row(i, i + 1, spook_parameters(this->h, 1e9, 3), -bound, bound);
     }
   }
 };
-
-/// max |λ - μ|, over the largest λ.
-template <int Dof>
-double difference(const std::vector<Row<Dof>>& some, const std::vector<Row<Dof>>& others) {
-  double most = 0, largest = 0;
-  for (std::size_t k = 0; k < some.size(); ++k) {
-    most = std::max(most, std::abs(some[k].lambda - others[k].lambda));
-    largest = std::max(largest, std::abs(some[k].lambda));
-  }
-  return most / largest;
-}
 
 template <int Dof>
 void expect_what_sparse_factors_find(unsigned seed, int rows) {
   // A row a body: well conditioned except for the masses, of which the ratio is at most e⁶ ≈ 400. Their square times ε,
   // ten times that for so many rows and two orders of summation, is 3.5e-10; nearly all are below 1e-13.
-  Random<Dof> dense(seed, rows + 1, rows), sparse = dense;
+  Chain<Dof> dense(seed, rows + 1, rows), sparse = dense;
   Factors factors;
   const SolveReport theirs = direct_solve(sparse.rows, sparse.V, {.tolerance = 0}, factors);
   const auto ours = small_direct(dense.rows, dense.V, {.tolerance = 0});
@@ -80,57 +44,57 @@ void expect_what_sparse_factors_find(unsigned seed, int rows) {
   EXPECT_TRUE(ours->converged);
   EXPECT_EQ(ours->history.size(), 1U);
   EXPECT_EQ(theirs.history.size(), 1U);
-  EXPECT_LT(difference(sparse.rows, dense.rows), 3.5e-10) << "seed " << seed << ", rows " << rows;
+  EXPECT_LT(difference(dense.rows, sparse.rows), 3.5e-10) << "seed " << seed << ", rows " << rows;
   std::vector<Twist<Dof>> V(dense.V.size(), Twist<Dof>::Zero());
   for (const Row<Dof>& row : dense.rows) apply_impulse(row, row.lambda, V);
   for (std::size_t b = 0; b < V.size(); ++b)
     EXPECT_LT((V[b] - dense.V[b]).norm(), 1e-13 * (1 + V[b].norm())) << "seed " << seed << ", body " << b;
 }
 
-TEST(DenseSolve, FindsWhatSparseFactorsFind) {
+TEST(SmallDirect, FindsWhatSparseFactorsFind) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     expect_what_sparse_factors_find<3>(seed, 1 + static_cast<int>(seed) % most_dense_rows);
     expect_what_sparse_factors_find<6>(seed, 1 + static_cast<int>(seed) % most_dense_rows);
   }
 }
 
-TEST(DenseSolve, SolvesRowsThatShareBothBodies) {
+TEST(SmallDirect, SolvesRowsThatShareBothBodies) {
   // Three rows between the same two, in either order of the bodies: a point held in space.
-  Random<3> dense(3, 2, 3), sparse = dense;
-  for (Random<3>* s : {&dense, &sparse}) {
+  Chain<3> dense(3, 2, 3), sparse = dense;
+  for (Chain<3>* s : {&dense, &sparse}) {
     std::swap(s->rows[1].i, s->rows[1].j), std::swap(s->rows[1].Gi, s->rows[1].Gj);
     std::swap(s->rows[1].MinvGi, s->rows[1].MinvGj);
   }
   Factors factors;
   direct_solve(sparse.rows, sparse.V, {}, factors);
   ASSERT_TRUE(small_direct(dense.rows, dense.V, {}));
-  EXPECT_LT(difference(sparse.rows, dense.rows), 1e-11);
+  EXPECT_LT(difference(dense.rows, sparse.rows), 1e-11);
 }
 
-TEST(DenseSolve, AcceptsFewerRowsOnFewVelocities) {
+TEST(SmallDirect, AcceptsFewerRowsOnFewVelocities) {
   // Two dynamic bodies have six velocities.
-  Random<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
+  Chain<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
   EXPECT_TRUE(small_direct(few.rows, few.V, {}));
   EXPECT_FALSE(small_direct(many.rows, many.V, {}));
-  Random<3> chain(5, most_dense_rows_on_bodies + 2, most_dense_rows_on_bodies + 1, 1e12);
-  EXPECT_TRUE(small_direct(chain.rows, chain.V, {}));
+  Chain<3> longer(5, most_dense_rows_on_bodies + 2, most_dense_rows_on_bodies + 1, 1e12);
+  EXPECT_TRUE(small_direct(longer.rows, longer.V, {}));
 }
 
 /// There is no solution, and no change.
-void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
-  const Random<3> before = s;
+void expect_nothing(Chain<3> s, const char* why, const StopRule& stop = {}) {
+  const Chain<3> before = s;
   EXPECT_FALSE(small_direct(s.rows, s.V, stop)) << why;
   for (std::size_t k = 0; k < s.rows.size(); ++k) EXPECT_EQ(s.rows[k].lambda, before.rows[k].lambda) << why;
   EXPECT_EQ(s.V, before.V) << why;
 }
 
-TEST(DenseSolve, ReturnsNothingForUnsuitableRows) {
-  expect_nothing(Random<3>(1, 2, 0), "no rows");
-  expect_nothing(Random<3>(1, 50, most_dense_rows + 1), "too many");
-  expect_nothing(Random<3>(1, 4, 3, 0), "no room");
-  expect_nothing(Random<3>(1, 4, 3, 1e-9), "bounds that are active");
+TEST(SmallDirect, ReturnsNothingForUnsuitableRows) {
+  expect_nothing(Chain<3>(1, 2, 0), "no rows");
+  expect_nothing(Chain<3>(1, 50, most_dense_rows + 1), "too many");
+  expect_nothing(Chain<3>(1, 4, 3, 0), "no room");
+  expect_nothing(Chain<3>(1, 4, 3, 1e-9), "bounds that are active");
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    Random<3> twice(seed, 3, 1);
+    Chain<3> twice(seed, 3, 1);
     twice.rows.front().Sigma = 0;
     twice.rows.push_back(twice.rows.front());
     Row<3>& second = twice.rows.back();
@@ -138,16 +102,16 @@ TEST(DenseSolve, ReturnsNothingForUnsuitableRows) {
     second.B *= 0.7;
     expect_nothing(twice, "an equal row, Σ = 0: a pivot of round-off");
   }
-  Random<3> bad(1, 4, 3);
+  Chain<3> bad(1, 4, 3);
   bad.rows[1].B = std::numeric_limits<double>::quiet_NaN();
   expect_nothing(bad, "a B of NaN");
-  bad = Random<3>(1, 4, 3);
+  bad = Chain<3>(1, 4, 3);
   bad.rows[1].B = infinity;
   expect_nothing(bad, "an infinite B");
 }
 
-TEST(DenseSolve, RefusesWhatSolveRefuses) {
-  Random<3> s(1, 4, 3);
+TEST(SmallDirect, RefusesWhatSolveRefuses) {
+  Chain<3> s(1, 4, 3);
   expect_refusal({"max_sweeps", "0"}, [&] { small_direct(s.rows, s.V, {.max_sweeps = 0}); });
   expect_refusal({"tolerance", "-1"}, [&] { small_direct(s.rows, s.V, {.tolerance = -1}); });
 }

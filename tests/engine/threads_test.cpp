@@ -64,7 +64,7 @@ void expect_same_bits(const World<6>& one, const World<6>& other, const std::str
 
 TEST(Threads, ChangeNoBitWhateverTheirNumberAndTheSolver) {
   for (const char* name : {"spatial_decomposition", "gauss_seidel"}) {
-    const Solver<6> solver = find_solver<6>(name).make();
+    const Solver<6> solver = find_solver<6>(name).make_on_box();
     World<6> one = heap(solver, 1);
     std::vector<World<6>> others;
     for (const int threads : {2, 3, 8}) others.push_back(heap(solver, threads));

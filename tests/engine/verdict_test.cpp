@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/diagnostics/run_check.hpp"
+#include "engine/solvers/registry.hpp"
 #include "engine/world/try_step.hpp"
 #include "random_input.hpp"
 
@@ -124,6 +125,64 @@ TEST(Verdict, ABodyThatIsTooFastForAStepIsNamed) {
   EXPECT_EQ(fired(3, 1.0 / 60, true).note, "");
 }
 
+TEST(Verdict, AnOverlapThatTheFirstStepMakesIsNamed) {
+  // A ball is 200 m/s fast, and is found 24 radii deep in the floor. One that begins as deep is not the step's doing.
+  const auto noted = [](double z, double v) {
+    World<6> world({});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, z), .v = Vec3(0, 0, v), .radius = 0.1});
+    RunCheck<6> check;
+    for (int n = 0; n < 3; ++n) {
+      check.begin_step(world);
+      world.step(1.0 / 60);
+      check.look(world, 1.0 / 60);
+    }
+    return check.verdict().note;
+  };
+  EXPECT_NE(noted(1, -200).find("when their contact is found"), std::string::npos) << noted(1, -200);
+  EXPECT_EQ(noted(-2.44, 0).find("when their contact is found"), std::string::npos) << noted(-2.44, 0);
+}
+
+TEST(Verdict, RedundantRowsThatShareAnImpulseWronglyAreSound) {
+  // A block on four corners slides down a slope, and two passes of sweeps find its motion to round-off. How the corners
+  // share the friction converges with Σ/S alone, 1e-10 a sweep. A chain that carries 1000:1 converges slowly, too, and
+  // its links do move wrongly.
+  const double h = 1.0 / 60, angle = 0.5, mu = 0.3;
+  World<6> slope({.friction = mu, .solver = two_pass(gauss_seidel<6>())});
+  slope.add_plane(Vec3(std::sin(angle), 0, std::cos(angle)), 0);
+  const Quat turned(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+  slope.add({.x = turned * Vec3(0, 0, 0.1), .mass = 1, .q = turned, .half_sides = Vec3(0.2, 0.2, 0.1)});
+  const Verdict of_slope = judged(slope, h, 2);
+  EXPECT_EQ(of_slope.state, State::sound) << of_slope.reason;
+  EXPECT_EQ(of_slope.unsolved, 0);
+  // Velocities are half a step older than time: leapfrog without a start half a step back.
+  EXPECT_NEAR(slope.v(1).norm() / (g * (std::sin(angle) - mu * std::cos(angle)) * slope.time()), 1, 1e-3);
+
+  World<3> chain({.solver = gauss_seidel<3>()});
+  int above = chain.add_fixed(Vec3::Zero());
+  for (int n = 1; n <= 30; ++n) {
+    const int link = chain.add({.x = Vec3(0, 0, -n), .mass = n == 30 ? 1000.0 : 1.0});
+    chain.add_joint({.i = above, .j = link, .length = 1});
+    above = link;
+  }
+  EXPECT_NE(judged(chain, h, 0.1).state, State::sound);
+}
+
+TEST(Verdict, AMotionThatHasEndedIsSolved) {
+  // A motor stops at its limit. What is left of the motion is round-off of round-off, which no solver resolves.
+  for (const double h : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+    World<6> world({.gravity = Vec3::Zero()});
+    const int frame = world.add_fixed(Vec3::Zero()), body = world.add({.mass = 1, .principal = Vec3::Ones()});
+    world.add_joint({.i = frame,
+                     .j = body,
+                     .kind = JointKind::hinge,
+                     .limits = JointLimits{-1, 2},
+                     .motor = Motor{.speed = 4, .strength = 0.5}});
+    const Verdict verdict = judged(world, h, 10);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason << " in step " << verdict.step << ", h " << h;
+  }
+}
+
 TEST(Verdict, NothingPassesAPlane) {
   World<6> world({.gravity = Vec3::Zero()});
   world.add_plane(Vec3::UnitX(), -1);
@@ -196,6 +255,23 @@ TEST(Verdict, StepsThatLoseEnergyAreLost) {
   World<3> free({.gravity = Vec3::Zero()});
   free.add({.v = Vec3(1, 0, 0)});
   EXPECT_EQ(judged(free, 0.1, 3).state, State::sound);
+}
+
+TEST(Verdict, StepsThatAreTooLongForASpringsFormulaAreLost) {
+  // Leapfrog holds an oscillator at any amplitude up to h ω = 2, and multiplies it by more than 1 in each longer step.
+  const auto oscillator = [](double h) {
+    World<3> world({.gravity = Vec3::Zero(),
+                    .force = [](std::size_t, const std::vector<Vec3>& x) { return Vec3(-x[0]); }});
+    world.add({.x = Vec3(1, 0, 0)});
+    return judged(world, h, 200 * h);
+  };
+  for (const double h : {0.1, 1.0, 1.9, 1.999, 2.0})
+    EXPECT_EQ(oscillator(h).state, State::sound) << oscillator(h).reason;
+  for (const double h : {2.001, 2.1, 2.5}) {
+    const Verdict verdict = oscillator(h);
+    EXPECT_EQ(verdict.state, State::lost) << "h " << h;
+    EXPECT_NE(verdict.reason.find("as leapfrog allows"), std::string::npos) << verdict.reason;
+  }
 }
 
 TEST(Verdict, ALimitThatRecoversWithoutGravityIsSound) {

@@ -218,8 +218,8 @@ Findings run(Random& random) {
       scene.world.step(scene.h);
       findings = watch.look();
     }
-  } catch (const SimulationDiverged& blowup) {
-    findings.wrong["blowup"] = blowup.what();
+  } catch (const SimulationDiverged& diverged) {
+    findings.wrong["diverged"] = diverged.what();
   }
   return findings;
 }

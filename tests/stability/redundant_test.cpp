@@ -1,4 +1,5 @@
 // Redundant rows: a box on a hundred contacts, and a loop that cannot close.
+#include <algorithm>
 #include <cmath>
 
 #include "stepping.hpp"
@@ -57,26 +58,37 @@ TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
 TEST(Loop, ThatCannotCloseRestsAtAWeightedMean) {
   // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one nonzero eigenvalue, ρ. At rest n sweeps from λ =
   // 0 give two impulses that sum to 0 where x is the mean with the weights below. As ρⁿ goes to 0 the weights go to k₁
-  // and k₂; before that the last row dominates.
-  const double h = 1.0 / 60, l1 = 1, l2 = 1.1;
-  for (const auto& [k1, k2] :
-       {std::pair{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}})
+  // and k₂, for any d of either; before that the last row dominates. Factors find the mean with the weights k₁ and k₂.
+  struct Case {
+    double k1, k2, h = 1.0 / 60, d1 = 3, d2 = 3;
+  };
+  std::vector<Case> cases = {{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}};
+  for (const double h : {1.0 / 60, 1.0 / 240})
+    for (const double d2 : {0.5, 3.0, 8.0}) cases.push_back({2e3, 5e3, h, 2, d2});
+  const double l1 = 1, l2 = 1.1;
+  for (const auto& [k1, k2, h, d1, d2] : cases)
     for (const int sweeps : {1, 10, 1000}) {
       World<3> world({.gravity = Vec3::Zero(), .solver_limits = {.max_sweeps = sweeps}});
       world.add_fixed(Vec3::Zero());
       world.add({.x = Vec3(1.05, 0, 0)});
-      world.add_joint({.i = 0, .j = 1, .length = l1, .k = k1});
-      world.add_joint({.i = 0, .j = 1, .length = l2, .k = k2});
+      world.add_joint({.i = 0, .j = 1, .length = l1, .k = k1, .d = d1});
+      world.add_joint({.i = 1, .j = 0, .length = l2, .k = k2, .d = d2});
       EXPECT_EQ(step_on(world, h, 2000), 2000);
-      const double c1 = spook_parameters(h, k1, 3).Sigma, c2 = spook_parameters(h, k2, 3).Sigma;
+      const auto [a1, b1, c1] = spook_parameters(h, k1, d1);
+      const auto [a2, b2, c2] = spook_parameters(h, k2, d2);
       const double left = std::exp(-sweeps * (std::log1p(c1) + std::log1p(c2)));  // ρⁿ
-      const double w1 = c2 * (1 - left), w2 = c1 + (1 + c1) * c2 * left;
+      const double w1 = a1 * c2 * (1 - left), w2 = a2 * (c1 + (1 + c1) * c2 * left);
       const double x = (w1 * l1 + w2 * l2) / (w1 + w2);
       const double right = (k1 * l1 + k2 * l2) / (k1 + k2);
-      EXPECT_LE(std::abs(world.x(1).x() - right), std::abs(x - right) + 1e-14)
-          << k1 << ", " << k2 << ", " << sweeps;
-      EXPECT_GE(world.x(1).x(), l1);
-      EXPECT_LE(world.x(1).x(), l2);
+      const auto which = ::testing::Message()
+                         << k1 << ", " << k2 << ", h " << h << ", d " << d2 << ", " << sweeps;
+      EXPECT_LE(std::abs(world.x(1).x() - right), std::abs(x - right) + 1e-14) << which;
+      EXPECT_GE(world.x(1).x(), l1) << which;
+      EXPECT_LE(world.x(1).x(), l2) << which;
+      // The first pulls back a point that is too far.
+      const double lambda = -h * k1 * (right - l1), roundings = 1e-10 + 1e-14 / std::min(c1, c2);
+      EXPECT_NEAR(world.joint_lambda(0) / lambda, 1, roundings) << which;
+      EXPECT_NEAR(world.joint_lambda(1) / lambda, -1, roundings) << which;
     }
 }
 

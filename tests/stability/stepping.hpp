@@ -23,13 +23,14 @@ int step_on(World<Dof>& world, double h, int steps, const See& see) {
   for (int n = 1; n <= steps; ++n) {
     try {
       world.step(h);
-    } catch (const SimulationDiverged& blowup) {
-      EXPECT_EQ(blowup.step(), n);
-      EXPECT_GE(blowup.body(), 0);
-      EXPECT_LT(blowup.body(), static_cast<int>(world.bodies().size()));
-      EXPECT_NE(std::string(blowup.what()).find("step " + std::to_string(n)), std::string::npos)
-          << blowup.what();
-      EXPECT_NE(std::string(blowup.what()).find("body " + std::to_string(blowup.body())), std::string::npos);
+    } catch (const SimulationDiverged& diverged) {
+      EXPECT_EQ(diverged.step(), n);
+      EXPECT_GE(diverged.body(), 0);
+      EXPECT_LT(diverged.body(), static_cast<int>(world.bodies().size()));
+      EXPECT_NE(std::string(diverged.what()).find("step " + std::to_string(n)), std::string::npos)
+          << diverged.what();
+      EXPECT_NE(std::string(diverged.what()).find("body " + std::to_string(diverged.body())),
+                std::string::npos);
       return n - 1;
     }
     if (!all_finite(world.bodies())) {

@@ -38,6 +38,8 @@ REFUSED = (
     ("bodies.3", {"x": [2, 0, 1], "mass": 1, "principal": [1, 1, 1], "corners": [[0, 0, 0]]},
      "bodies[3].corners are points, which pass through bodies[2]"),
     ("bodies", {}, "bodies must be a list, but is {}"),
+    ("h", "$dt", 'h must be a number, which --h changes, but is "$dt"'),
+    ("time", "$end", 'time must be a number, which --time changes, but is "$end"'),
     ("joints.0.j", 9, "joints[0].j must be the number of a body, less than 4, but is 9"),
     ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),
     ("joints.0.i", "ball", "joints[0]: joint's j must be another body than its i, but is 2"),

@@ -110,7 +110,10 @@ void PythonWorld<Dof>::continue_from(const std::string& bytes) {
     read_state(bytes, *this);
   } catch (const std::runtime_error&) {
     read_state(before, *this);
-    throw std::invalid_argument("state must be the bytes that get_state of such a world returned");
+    throw std::invalid_argument(
+        "state must be the bytes that get_state returned, of a world that was built in the same way and has "
+        "the "
+        "same solver");
   }
 }
 

@@ -276,7 +276,7 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
 World<6> our_structure(const Case& one, const OurWay& way, int sweeps) {
   const NamedSolver<6>& named = find_solver<6>(way.solver);
   Settings<6> settings{.friction = 0.6,
-                       .solver = named.make_on_cones ? named.make_on_cones() : named.make(),
+                       .solver = named.make_on_cones ? named.make_on_cones() : named.make_on_box(),
                        .warm_start = way.warm};
   if (sweeps > 0) settings.solver_limits = {.max_sweeps = sweeps, .tolerance = way.tolerance};
   if (way.soft_steps > 0) settings.soft_steps = SoftSteps{.substeps = way.soft_steps};

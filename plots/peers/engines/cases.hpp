@@ -34,8 +34,8 @@ struct TheirWay {
 struct Case {
   std::string name;
   std::string scene;
-  std::vector<std::vector<std::string>>
-      set;            ///< parameters of the scene, as after --set; of several, the worst counts
+  /// Parameters of the scene, as after --set; of several, the worst counts.
+  std::vector<std::vector<std::string>> set;
   double time;        ///< simulated time [s]
   std::string error;  ///< the error in words
   MakeJudge judge;

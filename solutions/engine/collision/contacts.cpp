@@ -34,6 +34,12 @@ void Shapes::remove(int body) {
   from(solids);
   from(corners);
   exclusions.remove(body);
+  smallest = infinity;
+  for (const Solid& solid : solids)
+    if (!solid.is_static)
+      smallest =
+          std::min(smallest, match(solid.shape, [](const auto& shape) { return size_of(Shape(shape)); }));
+  for (const Corners& set : corners) smallest = std::min(smallest, size_of(Shape(PointSet{set.points})));
 }
 
 namespace {

@@ -41,7 +41,7 @@ struct Shapes {
   std::vector<Solid> solids;
   std::vector<Corners> corners;
   Exclusions exclusions;  ///< bodies that do not touch each other
-  /// The smallest size of all dynamic bodies added so far [m], see size_of; removed ones still count.
+  /// The smallest size of all dynamic bodies [m], see size_of; infinite if there is none.
   double smallest = infinity;
 
   /// Adds the shape of a body.

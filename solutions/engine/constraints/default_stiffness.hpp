@@ -6,7 +6,8 @@
 //                                a joint of whirling bodies is unknown beforehand, and a large k costs nothing
 //   angles     k ℓ²              for the k of an angle, with ℓ the longest arm of a joint or radius of gyration
 //
-//   F   sum of |f| over all dynamic bodies, the largest so far [N]       M   their mass [kg]
+//   F   sum of |f| over all dynamic bodies, and of the forces of motors  M   their mass [kg]
+//       and springs, the largest so far [N]
 //   s   least distance from a body's centre to its surface [m]           h   step [s]
 //
 // If F or s is unknown, contacts are as stiff as joints. Both rules hold in any units.

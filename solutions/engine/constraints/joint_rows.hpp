@@ -33,4 +33,10 @@ template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows, double least_d = 0);
 
+/// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has lowered the speed of
+/// this row. Then the motor's part is that of Eq. (13.12) and (13.13) with its own desired speed, and the limit has the
+/// remainder. `speed`: G W at the end of the step. 0 for a motor of infinite strength, whose part would be infinite.
+double impulse_of_limit(const Joint& joint, const Row<6>& motor_row, double speed, const Bodies<6>& bodies,
+                        double h);
+
 }  // namespace spook

@@ -63,6 +63,8 @@ struct Joint {
   bool has_default_k = false, has_default_k_turn = false;
   /// Set by the world if its rows have recovered in the last step, engine/constraints/joint_recovery.hpp.
   bool recovered = false;
+  /// Set by the world: the part of the motor row's λ that is the limit's, in the last step [N s or N m s].
+  double taken_by_limit = 0;
 
   /// Tells whether the joint is a hinge, a slider or a weld.
   bool is_guided() const { return kind > JointKind::rope; }

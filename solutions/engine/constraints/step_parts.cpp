@@ -69,10 +69,12 @@ double parts_needed(const std::vector<Joint>& joints, const Bodies<Dof>& bodies,
     const Joint& joint = joints[static_cast<std::size_t>(n)];
     if (!joint.has_default_k) continue;
     const double force = force_of(n);
-    if (joint.kind == JointKind::rope && force == 0) continue;  // slack
     const End<Dof> i = end_of(joint.i, joint.p_i, bodies), j = end_of(joint.j, joint.p_j, bodies);
+    const Vec3 apart = bodies.x[j.body] + j.r - bodies.x[i.body] - i.r;
+    // A slack rope counts if it becomes taut within the step.
+    if (joint.kind == JointKind::rope && force == 0 && (apart + h * (j.v - i.v)).norm() < *joint.length)
+      continue;
     if (joint.length) {
-      const Vec3 apart = bodies.x[j.body] + j.r - bodies.x[i.body] - i.r;
       const double across = apart.cross(j.v - i.v).norm() / apart.squaredNorm();
       if (std::isfinite(across)) parts = std::max(parts, across * h / turn_of_arm);
       for (const std::size_t body : {i.body, j.body})

@@ -33,7 +33,20 @@ class ContactEvents {
     touching_ = std::move(now);
   }
 
-  /// Forgets all pairs: for a world whose bodies have other indices, as after remove_body.
+  /// Drops the pairs of a removed body, and gives those of later bodies their new indices. Call it after
+  /// World::remove_body.
+  void remove_body(int body) {
+    for (std::vector<TouchingPair>* pairs : {&touching_, &begun_, &ended_}) {
+      std::erase_if(*pairs,
+                    [&](const TouchingPair& pair) { return pair.first == body || pair.second == body; });
+      for (auto& [i, j] : *pairs) {
+        i -= i > body;
+        j -= j > body;
+      }
+    }
+  }
+
+  /// Forgets all pairs: for a world that was replaced by another one.
   void forget() { touching_.clear(), begun_.clear(), ended_.clear(); }
 
   /// Pairs that touched in the last step and not in the one before, in ascending order.

@@ -10,6 +10,7 @@
 #include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/passing_points.hpp"
 #include "engine/diagnostics/tunnelling.hpp"
+#include "engine/diagnostics/understatement.hpp"
 
 namespace spook {
 
@@ -81,13 +82,17 @@ static bool may_stop(const Joint& joint) {
   return joint.limits || joint.kind == JointKind::rope;
 }
 
-/// Returns ½ k gap² of all closed contacts [J]; 0 with soft steps, whose contacts have no k.
+/// Returns ½ k gap² of all closed contacts with a k of their own [J]. Others, and those of soft steps, leave no speed:
+/// engine/solvers/recovery.hpp.
 template <int Dof>
 static double energy_of_contacts(const World<Dof>& world) {
   if (world.settings().soft_steps) return 0;
   double energy = 0;
-  for (const Contact& contact : world.contacts())
-    if (contact.gap < 0) energy += world.contact_stiffness() * contact.gap * contact.gap / 2;
+  for (const Contact& contact : world.contacts()) {
+    const double k = world.materials().of(contact.i, contact.j).k;
+    const bool is_spring = world.settings().k || k < world.contact_stiffness();
+    if (contact.gap < 0 && is_spring) energy += k * contact.gap * contact.gap / 2;
+  }
   return energy;
 }
 
@@ -102,60 +107,80 @@ static double fastest_products(const World<Dof>& world) {
 }
 
 template <int Dof>
+bool RunCheck<Dof>::has_same_bodies(const World<Dof>& world) const {
+  return world.removals() == removals_ && world.bodies().size() == before_.size();
+}
+
+template <int Dof>
 void RunCheck<Dof>::begin_step(const World<Dof>& world) {
-  if (!moved_ && world.steps() == last_step_) return;
+  if (moved_ || !has_same_bodies(world) || world.steps() != last_step_) start(world);
+}
+
+/// Starts the energy balance with the world as it is.
+template <int Dof>
+void RunCheck<Dof>::start(const World<Dof>& world) {
+  find_sizes(world);
+  overlap_ = infinity;  // how bodies begin is not the step's doing
+  started_ = most_ = kinetic_energy(world.bodies());
+  given_ = 0;
+  springs_ = energy_of_joints(world);
+  first_ = true;
+  long_steps_ = {};
+  had_rows_ = false;
+  may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
+                   std::any_of(world.joints().begin(), world.joints().end(), may_stop);
+  moved_ = false;
+  note_state(world);
+}
+
+template <int Dof>
+void RunCheck<Dof>::find_sizes(const World<Dof>& world) {
+  shapes_ = world.shapes().by_body(world.bodies().size());
+  sizes_.clear();
+  for (const Shape& shape : shapes_) sizes_.push_back(size_of(shape));
+}
+
+template <int Dof>
+void RunCheck<Dof>::note_state(const World<Dof>& world) {
+  last_step_ = world.steps();
+  removals_ = world.removals();
+  before_ = world.bodies().motion.W;
   x_before_ = world.bodies().x;
-  placed_ = true;
 }
 
 template <int Dof>
 void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
-  const Bodies<Dof>& bodies = world.bodies();
-  const double T = kinetic_energy(bodies);
-  const bool were_moved = moved_;
+  const bool goes_on = world.steps() == last_step_ + 1 && has_same_bodies(world);
+  if (!goes_on) return start(world);
+  if (sizes_.empty()) find_sizes(world);  // a state was read
+  if (moved_) overlap_ = infinity;
+  look_at_solve(world, h / world.parts());
+  look_at_gaps(world, h / world.parts());
+  if (!moved_) look_at_motion(world);
   // The energy that a kinematic body adds in an impact is unknown.
-  moved_ = moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0);
-  const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
-  if (!goes_on || moved_ || sizes_.empty()) {
-    shapes_ = world.shapes().by_body(bodies.size());
-    sizes_.clear();
-    for (const Shape& shape : shapes_) sizes_.push_back(size_of(shape));
+  if (moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0)) {
+    const double overlap = overlap_;
+    start(world);
+    overlap_ = overlap;
+    return;
   }
-  if (!goes_on || moved_) overlap_ = infinity;  // how bodies begin is not the step's doing
-  if (goes_on) {
-    look_at_solve(world, h / world.parts());
-    look_at_gaps(world, h / world.parts());
-  }
-  if (placed_ || (goes_on && !were_moved)) look_at_motion(world);
-  placed_ = false;
-  if (goes_on && !moved_) {
-    look_at_energy(world, h, T);
-    first_ = false;
-  } else {
-    started_ = T;
-    given_ = 0;
-    springs_ = energy_of_joints(world);
-    most_ = T;
-    first_ = true;
-    had_rows_ = false;
-    may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
-                     std::any_of(world.joints().begin(), world.joints().end(), may_stop);
-  }
-  moved_ = false;
-  last_step_ = world.steps();
-  before_ = bodies.motion.W;
-  x_before_ = bodies.x;
+  const double T = kinetic_energy(world.bodies());
+  look_at_energy(world, h, T);
+  look_at_stability(world, h, T);
+  first_ = false;
+  note_state(world);
 }
 
 template <int Dof>
 void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
+  fastest_ = std::max(fastest_, fastest_products(world));
   // A solver may have converged to a tolerance that is too large.
   const SolveReport& solved = world.solved();
   if (solved.converged && solved.history.empty()) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double residual = solved.converged ? solved.history.back() : world.report().residual;
-  if (residual <= share_of_roundings * fastest_products(world)) return;
+  if (residual <= share_of_roundings * fastest_) return;
   double asked = rhs_norm(world.rows());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
@@ -172,17 +197,33 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
                     " m in a step, more than a hundredth of the size " + text(size) +
                     " m: more substeps would reduce it");
   }
-  const double left = solved.converged ? residual : estimated_error(residual, solved.history);
+  double left = solved.converged ? residual : estimated_error(residual, solved.history);
+  const bool stalled =
+      std::ssize(solved.history) >= least_history && observed_rate(solved.history) >= stalled_rate;
+  if (left > share_unsolved * asked && stalled)
+    left = std::min(left, residual * std::max(1.0, understatement(world)));
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
-  if (std::ssize(solved.history) >= least_history && observed_rate(solved.history) >= stalled_rate)
+  if (stalled)
     return find(State::unsolved, world,
                 "the solver does not converge: its residual stays at " + text(residual) +
                     " m/s, where the right-hand side is " + text(asked) +
                     " m/s; a shorter step, or another solver, may help");
+  // Another solver without cones would also have another friction.
+  const std::string by_factors = world.settings().solver.friction == FrictionModel::cone ? "newton" : "direct";
   find(State::unsolved, world,
        "the solver's error is " + text(left) + " m/s, where the right-hand side is " + text(asked) +
-           " m/s: more sweeps, or the direct solver, would reduce it");
+           " m/s: more sweeps, or the solver " + by_factors + ", would reduce it");
+}
+
+template <int Dof>
+typename RunCheck<Dof>::Overlap RunCheck<Dof>::largest_overlap(const World<Dof>& world) const {
+  Overlap largest;
+  for (const Contact& contact : world.contacts()) {
+    const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
+    if (-contact.gap > largest.share * size) largest = {-contact.gap / size, &contact};
+  }
+  return largest;
 }
 
 template <int Dof>
@@ -191,16 +232,12 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   const double sagged_before = sagged_;
   sagged_ = 0;
   const bool soft = world.settings().soft_steps.has_value();
-  double deepest = 0, recovered = 0, overlap = 0;
-  const Contact *deep = nullptr, *late = nullptr;
+  double deepest = 0, recovered = 0;
+  const Contact* deep = nullptr;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
     const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
     const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
     const double lambda = world.lambda(c);
-    if (-contact.gap > overlap * size) {
-      overlap = -contact.gap / size;
-      late = &contact;
-    }
     if (soft) {
       if (lambda > 0) note_sag("the contact of " + pair_of(contact), -contact.gap, size, "more substeps");
     } else if (-contact.gap > share_of_size * size) {
@@ -216,11 +253,12 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     deepest = depth;
     recovered = 2 / (1 + 4 * touching.d);
   }
-  if (overlap > std::max(found_late, overlap_))
-    note(
-        pair_of(*late) + " overlap by " + text(-late->gap) +
-        " m when their contact is found, more than the thickness of one: a shorter step would find it earlier");
-  overlap_ = overlap;
+  const Overlap overlap = largest_overlap(world);
+  if (overlap.share > std::max(found_late, overlap_))
+    note(Note::late, pair_of(*overlap.contact) + " overlap by " + text(-overlap.contact->gap) +
+                         " m when their contact is found, more than the thickness of one: a shorter step would "
+                         "find it earlier");
+  overlap_ = overlap.share;
   // An overlap that shrinks is on its way out.
   deep_steps_ = deep && deepest > (1 - recovered) * deepest_ ? deep_steps_ + 1 : 0;
   deepest_ = deepest;
@@ -230,24 +268,26 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   look_at_joints(world, h);
   // A load keeps its sag; an overlap that recovers does not.
   sagging_steps_ = sag_.empty() || sagged_ < share_kept * sagged_before ? 0 : sagging_steps_ + 1;
-  if (sagging_steps_ == most_sagging_steps) note(sag_);
+  if (sagging_steps_ == most_sagging_steps) note(Note::sag, sag_);
 }
 
 template <int Dof>
 void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
-  if (!verdict_.note.empty()) return;
   const Bodies<Dof>& bodies = world.bodies();
   bool moves = world.has_kinematic_bodies();
   for (std::size_t i = 0; i < bodies.size() && !moves; ++i) moves = !bodies.is_fixed(i);
-  if (!moves) return note("nothing can move: the world has no dynamic body");
-  if (const auto tunnelling = find_tunnelling(world, x_before_, shapes_, sizes_))
-    note("body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
-         " m in a step, against body " + std::to_string(tunnelling->other) +
-         ", and contacts are found within " + text(tunnelling->detected_within) + " m: steps shorter than " +
-         text(tunnelling->longest_step) + " of this one would find the contact");
-  if (const auto passing = find_passing_points(world, shapes_))
-    note("body " + std::to_string(passing->first) + " passes through body " + std::to_string(passing->second) +
-         ": its shape is points, which collide with planes only; another shape would be stopped");
+  if (!moves) return note(Note::nothing_moves, "nothing can move: the world has no dynamic body");
+  if (const auto tunnelling =
+          has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, x_before_, shapes_, sizes_))
+    note(Note::tunnelling, "body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
+                               " m in a step, against body " + std::to_string(tunnelling->other) +
+                               ", and contacts are found within " + text(tunnelling->detected_within) +
+                               " m: steps shorter than " + text(tunnelling->longest_step) +
+                               " of this one would find the contact");
+  if (const auto passing = has(Note::points) ? std::nullopt : find_passing_points(world, shapes_))
+    note(Note::points,
+         "body " + std::to_string(passing->first) + " passes through body " + std::to_string(passing->second) +
+             ": its shape is points, which collide with planes only; another shape would be stopped");
 }
 
 template <int Dof>
@@ -275,15 +315,17 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
 
 template <int Dof>
 void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, const std::string& remedy) {
-  if (!verdict_.note.empty() || !sag_.empty() || !(sag > share_of_size * size)) return;
+  if (has(Note::sag) || !sag_.empty() || !(sag > share_of_size * size)) return;
   sagged_ = sag / size;
   sag_ = what + " gives by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
          " m: " + remedy + " would hold it";
 }
 
 template <int Dof>
-void RunCheck<Dof>::note(const std::string& what) {
-  if (verdict_.note.empty()) verdict_.note = what;
+void RunCheck<Dof>::note(Note kind, const std::string& what) {
+  if (has(kind)) return;
+  noted_ |= 1u << static_cast<unsigned>(kind);
+  verdict_.note += (verdict_.note.empty() ? "" : "; ") + what;
 }
 
 /// Returns the energy of a motion by 1e-8 of `size` [m] and by 1e-8 rad in a step of `h` [s]. Recovery leaves speeds of a
@@ -335,9 +377,19 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
                    : "the steps have brought in " + text(gained - springs_) + " J: " + too_long);
   if (may_dissipate_ || !(-gained > too_much)) return;
   if (had_rows_)
-    note("joints have taken out " + text(-gained) + " J, and nothing else has: a shorter step takes out less");
+    note(Note::joints,
+         "joints have taken out " + text(-gained) + " J, and nothing else has: a shorter step takes out less");
   else
     find(State::lost, world, "the steps have taken out " + text(-gained) + " J: " + too_long);
+}
+
+template <int Dof>
+void RunCheck<Dof>::look_at_stability(const World<Dof>& world, double h, double T) {
+  long_steps_.look(world, x_before_, h, T);
+  if (long_steps_.are_unstable())
+    find(State::lost, world,
+         "the steps have brought in energy: h is " + text(long_steps_.too_long()) +
+             " times as long as leapfrog allows for what swings here");
 }
 
 template <int Dof>

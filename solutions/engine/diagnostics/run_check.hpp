@@ -12,7 +12,9 @@
 //                  kinetic energy so far, the forces times the largest size, and the energy of a motion by 1e-8 of the
 //                  largest size and 1e-8 rad in a step, which is too slow to be seen
 //                - bodies without constraints lost as much
-//   a note     the first of these:
+//                - a force by a formula makes bodies swing, h ω > 2 in ten steps in a row, and they gain energy: leapfrog
+//                  is unstable there. What such a force does else counts as its work
+//   a note     each of these, when it is first found:
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
 //                  is too small for this load
 //                - a body moves through another, or into it, by more than the sizes of both in one step: tunnelling.hpp
@@ -21,7 +23,9 @@
 //                - joints removed more energy than may be added, and nothing else in the world removes energy
 //                - nothing can move
 //
-//   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
+//   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp. 0 if
+//                     the residual is round-off of the largest velocities so far: errors of a body at rest are not
+//                     seen. Only the part that moves bodies counts, and not how redundant rows share an impulse
 //   soft steps        are unsolved if this error moves bodies by more than a hundredth of the smallest size in a step
 //   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
 //                     speeds, too
@@ -34,6 +38,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/diagnostics/long_steps.hpp"
 #include "engine/world/world.hpp"
 
 namespace spook {
@@ -50,14 +55,14 @@ struct Verdict {
   double time = 0;        ///< at the end of that step [s]
   std::string reason;
   std::int64_t unsolved = 0;  ///< number of unsolved steps
-  std::string note;           ///< what a reader should know of a sound run, too; empty if nothing
+  std::string note;  ///< what a reader should know of a sound run, too, separated by "; "; empty if nothing
 };
 
 template <int Dof>
 class RunCheck {
  public:
-  /// Notes where bodies are before a step, if no earlier check has: before the first step, and after bodies were moved.
-  /// Then tunnelling in that step is found, too. May be left out.
+  /// Notes where bodies are and how they move before a step, if no earlier check has: before the first step, and after
+  /// bodies were moved. Then that step is checked, too. Without this call the checks begin with the step after it.
   void begin_step(const World<Dof>& world);
 
   /// Checks the step of `h` [s] that the world has just taken. Call it once after each step. The energy balance starts
@@ -75,28 +80,44 @@ class RunCheck {
 
   void state(StateStream& s) {
     s(verdict_.state, verdict_.step, verdict_.time, verdict_.reason, verdict_.unsolved, verdict_.note);
-    s(last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_, sagging_steps_,
-      sag_, sagged_);
-    s(started_, given_, springs_, most_, before_, x_before_, lag_);
+    s(noted_, last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_,
+      sagging_steps_, sag_, sagged_);
+    long_steps_.state(s);
+    s(started_, given_, springs_, most_, fastest_, before_, x_before_, lag_);
   }
 
  private:
+  bool has_same_bodies(const World<Dof>& world) const;
+  void start(const World<Dof>& world);
+  void find_sizes(const World<Dof>& world);
+  void note_state(const World<Dof>& world);
+
+  struct Overlap {
+    double share = 0;                  ///< over the smaller size of the two bodies
+    const Contact* contact = nullptr;  ///< null: none
+  };
+  Overlap largest_overlap(const World<Dof>& world) const;
+
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);
   void look_at_energy(const World<Dof>& world, double h, double T);
+  void look_at_stability(const World<Dof>& world, double h, double T);
   void look_at_motion(const World<Dof>& world);
   void look_at_joints(const World<Dof>& world, double h);
   void note_sag(const std::string& what, double sag, double size, const std::string& remedy);
-  void note(const std::string& what);
+  enum class Note { sag, tunnelling, points, late, joints, nothing_moves };
+  bool has(Note kind) const { return (noted_ >> static_cast<unsigned>(kind) & 1u) != 0; }
+  void note(Note kind, const std::string& what);
   void find(State state, const World<Dof>& world, const std::string& reason);
 
   Verdict verdict_;
-  std::int64_t last_step_ = -1;
-  bool first_ = true;               // first step of the energy balance
-  bool placed_ = false;             // begin_step has noted x_before_
-  bool moved_ = false;              // bodies were moved from outside since the last check
-  bool had_rows_ = false;           // since the energy balance started
-  bool may_dissipate_ = false;      // so far something else than joints could take energy
+  unsigned noted_ = 0;  // a bit for each kind of note
+  std::int64_t last_step_ = -1, removals_ = 0;
+  bool first_ = true;           // first step of the energy balance
+  bool moved_ = false;          // bodies were moved from outside since the last check
+  bool had_rows_ = false;       // since the energy balance started
+  bool may_dissipate_ = false;  // so far something else than joints could take energy
+  LongSteps long_steps_;
   int deep_steps_ = 0;              // consecutive steps with too deep contacts that do not recover
   double deepest_ = 0;              // the largest overlap over its size in the last step
   double overlap_ = infinity;       // the largest overlap of a contact over a size in the last step
@@ -107,6 +128,7 @@ class RunCheck {
   double given_ = 0;                // work of forces since the start [J]
   double springs_ = 0;              // energy of springs at the start [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
+  double fastest_ = 0;              // the largest products of a row with velocities so far, for round-off [m/s]
   double lag_ = 0;                  // from velocities to positions in the last step [s]
   std::vector<Twist<Dof>> before_;  // velocities at the last check
   std::vector<Vec3> x_before_;      // positions at the last check

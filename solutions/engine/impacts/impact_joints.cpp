@@ -28,6 +28,8 @@ std::vector<Joint> ImpactJoints<Dof>::of(const std::vector<std::size_t>& bodies)
   return all;
 }
 
+static constexpr double reached = 1e-6;  // [m or rad]
+
 template <int Dof>
 std::vector<Row<Dof>> impact_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies) {
   std::vector<Row<Dof>> rows, taking;
@@ -37,7 +39,18 @@ std::vector<Row<Dof>> impact_rows(const std::vector<Joint>& joints, double h, co
     taking.insert(taking.end(), first, first + joint.spring_row());
     first += joint.rows();
   }
-  for (Row<Dof>& row : taking) row.B = 0;
+  const auto speed_of = [&](const Row<Dof>& row, const std::vector<Twist<Dof>>& of) {
+    return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
+  };
+  const Motion<Dof>& motion = bodies.motion;
+  for (Row<Dof>& row : taking) {
+    const bool is_one_sided = row.lo == 0;
+    const double u = speed_of(row, motion.W) + speed_of(row, motion.Wf) / 2;
+    // Where it is not reached, its B is -g/h - G (W + W_f): engine/constraints/joint_rows.cpp.
+    const double gap = -h * (row.B + speed_of(row, motion.W) + speed_of(row, motion.Wf));
+    if (is_one_sided && gap > reached) row.hi = 0;
+    row.B = is_one_sided ? -u : 0;
+  }
   return taking;
 }
 

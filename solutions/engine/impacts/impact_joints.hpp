@@ -3,8 +3,8 @@
 //
 //   G_k Δv + Σ_k λ_k = 0    an impact changes no velocity along the row k of a joint             Eq. (7.19)
 //
-// A limit or a taut rope has λ >= 0 in place of the equation, as in a step. Springs and motors have bounded forces, and
-// so no impulse. Σ is that of the step: a joint that is softer than a step resolves takes almost none.
+// A limit that is reached, or a taut rope, has λ >= 0 and u' >= 0 in place of the equation: it holds what closes, and lets
+// go what opens. Springs and motors have bounded forces, and so no impulse. Σ is that of the step: a joint that is softer than a step resolves takes almost none.
 #include <cstddef>
 #include <vector>
 
@@ -26,8 +26,8 @@ class ImpactJoints {
   std::vector<int> mechanism_of_;           // of each body; empty without joints
 };
 
-/// Returns the rows of the joints that take impulses, at the present positions of the bodies, with B = 0. Defaults of the
-/// joints must be filled in, as a world does. `h` is the length of a step [s].
+/// Returns the rows of the joints that take impulses, at the present positions of the bodies, with B = 0, or -u
+/// for limits and ropes. Defaults of the joints must be filled in, as a world does. `h` is the length of a step [s].
 template <int Dof>
 std::vector<Row<Dof>> impact_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies);
 

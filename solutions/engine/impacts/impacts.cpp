@@ -41,9 +41,14 @@ struct Approach {
 template <int Dof>
 class ImpactQueue {
  public:
-  ImpactQueue(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
+  ImpactQueue(std::vector<Contact>& contacts, const LawOf& law, double h, double last_h, const Shapes& shapes,
               const std::vector<Joint>& joints, const MoveFreely& move_freely, Bodies<Dof>& bodies)
-      : contacts_(contacts), law_(law), move_freely_(move_freely), h_(h), bodies_(bodies) {
+      : contacts_(contacts),
+        law_(law),
+        move_freely_(move_freely),
+        h_(h),
+        longest_(2 * std::max(h, last_h)),
+        bodies_(bodies) {
     // A contact that touches up to round-off takes part in simultaneous impacts.
     touching_gap_ = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
     for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -86,7 +91,7 @@ class ImpactQueue {
     if (contact.gap > touching_gap_) return {};
     const double u_n = separation_speed(contact, bodies_.motion);
     if (u_n >= 0 || u_n >= -law_(contact).threshold) return {};
-    return lateness(contact, u_n, h_, bodies_.motion);
+    return lateness(contact, u_n, h_, longest_, bodies_.motion);
   }
 
   /// Returns the delay of the next impact of contact c [s]; nothing if there is none.
@@ -301,7 +306,7 @@ class ImpactQueue {
   std::vector<Contact>& contacts_;
   const LawOf& law_;
   const MoveFreely& move_freely_;
-  double h_, touching_gap_;
+  double h_, longest_, touching_gap_;
   Bodies<Dof>& bodies_;
   std::priority_queue<Approach> queue_;
   std::vector<double> radii_;
@@ -317,16 +322,18 @@ class ImpactQueue {
 
 template <int Dof>
 std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
-                                         const Shapes& shapes, const std::vector<Joint>& joints,
+                                         double last_h, const Shapes& shapes, const std::vector<Joint>& joints,
                                          const MoveFreely& move_freely, Bodies<Dof>& bodies) {
-  return ImpactQueue<Dof>(contacts, law, h, shapes, joints, move_freely, bodies).resolve();
+  return ImpactQueue<Dof>(contacts, law, h, last_h, shapes, joints, move_freely, bodies).resolve();
 }
 
 template double separation_speed<3>(const Contact&, const Motion<3>&);
 template double separation_speed<6>(const Contact&, const Motion<6>&);
-template std::vector<Impact> resolve_late_impacts<3>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
-                                                     const std::vector<Joint>&, const MoveFreely&, Bodies<3>&);
-template std::vector<Impact> resolve_late_impacts<6>(std::vector<Contact>&, const LawOf&, double, const Shapes&,
-                                                     const std::vector<Joint>&, const MoveFreely&, Bodies<6>&);
+template std::vector<Impact> resolve_late_impacts<3>(std::vector<Contact>&, const LawOf&, double, double,
+                                                     const Shapes&, const std::vector<Joint>&,
+                                                     const MoveFreely&, Bodies<3>&);
+template std::vector<Impact> resolve_late_impacts<6>(std::vector<Contact>&, const LawOf&, double, double,
+                                                     const Shapes&, const std::vector<Joint>&,
+                                                     const MoveFreely&, Bodies<6>&);
 
 }  // namespace spook

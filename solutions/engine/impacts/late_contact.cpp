@@ -22,11 +22,11 @@ std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
 }
 
 template <int Dof>
-double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>& motion) {
+double lateness(const Contact& contact, double u_n, double h, double longest, const Motion<Dof>& motion) {
   const double a =
       (row_of_i<Dof>(contact).dot(motion.Wf[contact.i]) + row_of_j<Dof>(contact).dot(motion.Wf[contact.j])) / h;
   const double square = std::max(0.0, u_n * u_n - 2 * a * contact.gap);
-  return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, 2 * h);
+  return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, longest);
 }
 
 template <int Dof>
@@ -61,8 +61,8 @@ Contact moved_on(Contact contact, const Displacements& moved, const std::vector<
   return contact;
 }
 
-template double lateness<3>(const Contact&, double, double, const Motion<3>&);
-template double lateness<6>(const Contact&, double, double, const Motion<6>&);
+template double lateness<3>(const Contact&, double, double, double, const Motion<3>&);
+template double lateness<6>(const Contact&, double, double, double, const Motion<6>&);
 template Contact contact_before<3>(Contact, double, const std::vector<double>&, const Bodies<3>&);
 template Contact contact_before<6>(Contact, double, const std::vector<double>&, const Bodies<6>&);
 

@@ -10,9 +10,9 @@ namespace spook {
 std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies);
 
 /// Returns the time since the gap was 0, Eq. (7.15) [s], for the normal velocity `u_n` [m/s] < 0. The delay of a chain of
-/// impacts adds to that of the pair: at most two steps.
+/// impacts adds to that of the pair: at most `longest` [s].
 template <int Dof>
-double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>& motion);
+double lateness(const Contact& contact, double u_n, double h, double longest, const Motion<Dof>& motion);
 
 /// Returns the contact as it was `late` ago [s], with both lever arms to one point, and the normal of two spheres. The
 /// point is on the surface of a sphere, and midway for other shapes.

@@ -96,30 +96,67 @@ std::vector<double> impulses(const std::vector<Row<Dof>>& rows) {
   return lambda;
 }
 
-/// Adds friction to V of the impulses without friction, as far as it adds no energy.
+/// Impulses of all rows, and the changes of velocities by them.
 template <int Dof>
-void add_friction(ImpactProblem<Dof>& problem) {
-  const std::vector<Twist<Dof>> V0 = problem.V;
-  const std::vector<double> lambda0 = impulses(problem.rows);
+struct ImpactImpulses {
+  std::vector<double> lambda;
+  std::vector<Twist<Dof>> V;
+};
+
+/// Returns the energy that impulses add to velocities W [J].
+template <int Dof>
+double energy_added(const ImpactProblem<Dof>& problem, const ImpactImpulses<Dof>& of) {
+  std::vector<Twist<Dof>> middle = problem.motion.W;
+  for (std::size_t b = 0; b < middle.size(); ++b) middle[b] += of.V[b] / 2;
+  return power(problem.rows, of.lambda, middle);
+}
+
+/// Returns `from` + κ (`to` - `from`) with the largest κ in [0, 1] that adds no energy, or no more than `from` does.
+template <int Dof>
+ImpactImpulses<Dof> towards(const ImpactProblem<Dof>& problem, const ImpactImpulses<Dof>& from,
+                            const ImpactImpulses<Dof>& to) {
+  ImpactImpulses<Dof> more = to;
+  std::vector<Twist<Dof>> start = problem.motion.W;
+  for (std::size_t k = 0; k < more.lambda.size(); ++k) more.lambda[k] -= from.lambda[k];
+  for (std::size_t b = 0; b < start.size(); ++b) {
+    more.V[b] -= from.V[b];
+    start[b] += from.V[b];
+  }
+  // The energy added is E + b κ + ½ c κ².
+  const double E = std::min(0.0, energy_added(problem, from));
+  const double b = power(problem.rows, more.lambda, start), c = power(problem.rows, more.lambda, more.V);
+  const double root = std::sqrt(std::max(0.0, b * b - 2 * c * E));
+  // Neither form divides by 0 or subtracts equals: c > 0 where b <= 0, since E <= 0 and E + b + c/2 > 0.
+  const double kappa = E + b + c / 2 <= 0 ? 1 : b > 0 ? -2 * E / (b + root) : (root - b) / c;
+  ImpactImpulses<Dof> result = from;
+  for (std::size_t k = 0; k < result.lambda.size(); ++k) result.lambda[k] += kappa * more.lambda[k];
+  for (std::size_t body = 0; body < result.V.size(); ++body) result.V[body] += kappa * more.V[body];
+  return result;
+}
+
+/// Returns the impact without restitution and friction: what closes stops, and what opens goes on opening. It is a
+/// projection, and so adds no energy.
+template <int Dof>
+ImpactImpulses<Dof> plastic(const ImpactProblem<Dof>& problem) {
+  std::vector<Row<Dof>> rows = problem.rows;
+  for (Row<Dof>& row : rows) {
+    row.lambda = 0;
+    row.B = -row.Gi.dot(problem.motion.W[row.i]) - row.Gj.dot(problem.motion.W[row.j]);
+  }
+  std::vector<Twist<Dof>> V(problem.V.size(), Twist<Dof>::Zero());
+  Factors factors;
+  direct_solve(rows, V, of_factors, factors);
+  return {impulses(rows), V};
+}
+
+/// Adds friction to impulses without it, as far as it adds no energy.
+template <int Dof>
+ImpactImpulses<Dof> with_friction(ImpactProblem<Dof>& problem, const ImpactImpulses<Dof>& without) {
   double fastest = 0;
   for (const Row<Dof>& row : problem.rows) fastest = std::max(fastest, std::abs(row.B));
   cone_solve(problem.friction, problem.rows, problem.V,
              {.max_sweeps = of_cones.max_sweeps, .tolerance = of_cones.tolerance * fastest});
-  std::vector<double> more = impulses(problem.rows);
-  std::vector<Twist<Dof>> by = problem.V, middle = problem.motion.W;
-  for (std::size_t k = 0; k < more.size(); ++k) more[k] -= lambda0[k];
-  for (std::size_t b = 0; b < by.size(); ++b) {
-    by[b] -= V0[b];
-    middle[b] += V0[b];
-  }
-  // The energy added is E + b κ + ½ c κ².
-  const double b = power(problem.rows, more, middle), c = power(problem.rows, more, by);
-  for (std::size_t body = 0; body < middle.size(); ++body) middle[body] -= V0[body] / 2;
-  const double E = std::min(0.0, power(problem.rows, lambda0, middle));
-  const double root = std::sqrt(std::max(0.0, b * b - 2 * c * E));
-  // Neither form divides by 0 or subtracts equals: c > 0 where b <= 0, since E <= 0 and E + b + c/2 > 0.
-  const double kappa = E + b + c / 2 <= 0 ? 1 : b > 0 ? -2 * E / (b + root) : (root - b) / c;
-  for (std::size_t body = 0; body < by.size(); ++body) problem.V[body] = V0[body] + kappa * by[body];
+  return towards(problem, without, {impulses(problem.rows), problem.V});
 }
 
 }  // namespace
@@ -130,8 +167,11 @@ void resolve_together(const std::vector<Contact>& contacts, const std::vector<Im
   ImpactProblem<Dof> problem(contacts, laws, joints, motion);
   Factors factors;
   direct_solve(problem.rows, problem.V, of_factors, factors);  // friction rows have bounds of 0
-  if (!problem.friction.empty()) add_friction(problem);
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) motion.W[problem.bodies[b]] += problem.V[b];
+  ImpactImpulses<Dof> found{impulses(problem.rows), problem.V};
+  // Joints do not bounce. Where contacts do, and act on the same bodies, Eq. (7.18) could add energy.
+  if (!joints.empty() && energy_added(problem, found) > 0) found = towards(problem, plastic(problem), found);
+  if (!problem.friction.empty()) found = with_friction(problem, found);
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) motion.W[problem.bodies[b]] += found.V[b];
 }
 
 template void resolve_together<3>(const std::vector<Contact>&, const std::vector<ImpactLaw>&,

@@ -74,6 +74,37 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
 }
 
 template <int Dof>
+void limit_energy(const SolverInput<Dof>& s, const std::function<bool(const Contact&)>& may_throw) {
+  const Motion<Dof>& motion = s.bodies.motion;
+  const std::vector<Row<Dof>>& rows = s.rows();
+  const auto is_spring_or_joint = [&](int k) {
+    if (k < static_cast<int>(s.constraints.first_contact_row)) return true;
+    const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
+    return c && may_throw && may_throw(s.contacts[*c]);
+  };
+  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
+    if (std::any_of(island.begin(), island.end(), is_spring_or_joint)) continue;
+    // κ V adds the energy b κ + ½ c κ².
+    double b = 0, c = 0;
+    for (const int k : island) {
+      const Row<Dof>& row = rows[k];
+      b += row.lambda * opening_speed<Dof>(row, motion, nullptr);
+      c += row.lambda * (row.Gi.dot(s.V[row.i]) + row.Gj.dot(s.V[row.j]));
+    }
+    if (b + c / 2 <= 0) continue;
+    const double kappa = b < 0 ? std::min(1.0, -2 * b / c) : 0;
+    std::vector<int> bodies;
+    for (const int k : island) {
+      if (moves_i(rows[k])) bodies.push_back(rows[k].i);
+      if (moves_j(rows[k])) bodies.push_back(rows[k].j);
+    }
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    for (const int body : bodies) s.V[body] *= kappa;
+  }
+}
+
+template <int Dof>
 void restore(const std::vector<RowState>& before, std::vector<Row<Dof>>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const RowState& was = before[k];
@@ -91,6 +122,8 @@ template bool prepare_second_solve(const SolverInput<3>&, double, const std::fun
                                    const JointRecovery&, std::vector<RowState>&);
 template bool prepare_second_solve(const SolverInput<6>&, double, const std::function<bool(const Contact&)>&,
                                    const JointRecovery&, std::vector<RowState>&);
+template void limit_energy(const SolverInput<3>&, const std::function<bool(const Contact&)>&);
+template void limit_energy(const SolverInput<6>&, const std::function<bool(const Contact&)>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<3>>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<6>>&);
 

@@ -36,6 +36,11 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
                           const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
                           std::vector<RowState>& first);
 
+/// Shortens the velocities V of the second solve `s` in islands of contacts where they add energy. Contacts that stop and do
+/// not bounce take energy, so such a solve has failed: with friction on overlapping bodies the problem may have no solution.
+template <int Dof>
+void limit_energy(const SolverInput<Dof>& s, const std::function<bool(const Contact&)>& may_throw);
+
 /// Gives the rows the states that prepare_second_solve has found.
 template <int Dof>
 void restore(const std::vector<RowState>& before, std::vector<Row<Dof>>& rows);

@@ -28,11 +28,11 @@ Solver<Dof> conjugate_gradients();
 
 /// Sweeps of chapter 04 or on cones, with Anderson acceleration. The model is box or cone.
 template <int Dof>
-Solver<Dof> anderson(FrictionModel model = FrictionModel::box);
+Solver<Dof> anderson(FrictionModel model = FrictionModel::cone);
 
 /// Newton's method on the box or cone, with factors over bodies. Falls back to accelerated sweeps if it stalls.
 template <int Dof>
-Solver<Dof> newton(FrictionModel model = FrictionModel::box);
+Solver<Dof> newton(FrictionModel model = FrictionModel::cone);
 
 /// The direct solver of chapter 11; keeps its factors for the next step.
 template <int Dof>
@@ -50,7 +50,7 @@ Solver<Dof> spatial_decomposition();
 
 /// Sweeps by colours in lanes, as in chapter 14. `model` is box or cone.
 template <int Dof>
-Solver<Dof> colours(FrictionModel model = FrictionModel::box);
+Solver<Dof> colours(FrictionModel model = FrictionModel::cone);
 
 /// Gauss-Seidel on cones, with each contact and its friction as a block, as in chapter 14.
 template <int Dof>
@@ -99,8 +99,9 @@ struct NamedSolver {
   std::string name;
   std::string summary;
   std::string iteration;  ///< name of one iteration, to which a history entry belongs
-  /// Creates the solver with empty caches. Throws std::invalid_argument if the solver does not support such bodies.
-  Solver<Dof> (*make)();
+  /// Creates the solver with empty caches, and with friction on the box. Throws std::invalid_argument if the solver does
+  /// not support such bodies.
+  Solver<Dof> (*make_on_box)();
   /// Creates the solver with friction on Coulomb's cones; null if it has no such version.
   Solver<Dof> (*make_on_cones)();
   bool takes_row_order = false;  ///< ordered_gauss_seidel is this solver in another order

@@ -52,20 +52,21 @@ class HandleList {
   std::vector<int> indices_;  // by handle
 };
 
-/// The handles of a world's bodies and joints. Remove bodies and joints by it, not by the world.
+/// The handles of a world's bodies and joints. Remove bodies and joints by it, not by the world. A copy of the world needs
+/// a copy of the handles: if you assign the one to go back to an earlier step, assign the other, too.
 template <int Dof>
 class Handles {
  public:
   /// `world` must live as long as this.
-  explicit Handles(World<Dof>& world) : world_(world) {}
+  explicit Handles(World<Dof>& world) : world_(&world) {}
 
   /// Returns the handle of the body, or joint, at an index. Throws std::invalid_argument for an index of none.
   int of_body(int index) {
-    world_.index(index);
-    return bodies_.handle(index, world_.bodies().size());
+    world_->index(index);
+    return bodies_.handle(index, world_->bodies().size());
   }
   int of_joint(int index) {
-    const std::size_t count = world_.joints().size();
+    const std::size_t count = world_->joints().size();
     require_index("joint", index, count);
     return joints_.handle(index, count);
   }
@@ -78,22 +79,22 @@ class Handles {
   void remove_body(int handle) {
     const int index = body(handle);
     std::vector<int> attached;
-    for (int k = static_cast<int>(world_.joints().size()) - 1; k >= 0; --k) {
-      const Joint& joint = world_.joints()[static_cast<std::size_t>(k)];
+    for (int k = static_cast<int>(world_->joints().size()) - 1; k >= 0; --k) {
+      const Joint& joint = world_->joints()[static_cast<std::size_t>(k)];
       if (joint.i == index || joint.j == index) attached.push_back(k);
     }
-    world_.remove_body(index);
+    world_->remove_body(index);
     for (const int k : attached) joints_.remove(k);
     bodies_.remove(index);
   }
   void remove_joint(int handle) {
     const int index = joint(handle);
-    world_.remove_joint(index);
+    world_->remove_joint(index);
     joints_.remove(index);
   }
 
  private:
-  World<Dof>& world_;
+  World<Dof>* world_;
   HandleList bodies_, joints_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "common/require.hpp"
 #include "engine/constraints/contact_resistance.hpp"
@@ -76,6 +78,7 @@ void World<Dof>::step_part(double h) {
   if (!rows().empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { solve_again(h); });
   if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
+  if constexpr (Dof == 6) part_limits_from_motors(h);
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
@@ -219,11 +222,13 @@ void World<Dof>::add_last_impulses_of_joints(double h) {
   }
 }
 
+/// Searches for contacts within a step's impacts: each finds pairs that impacts before it have brought together.
+static constexpr int most_rounds_of_impacts = 16;
+
 template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
   add_last_impulses_of_joints(h);
   const auto law_of = [&](const Contact& contact) { return impact_law(contact, h); };
-  const std::vector<Twist<Dof>> before = bodies_.motion.W;
   const auto move_freely = [&](std::size_t i, double time) {
     Twist<Dof>& W = bodies_.motion.W[i];
     bodies_.x[i] += time * W.template head<3>();
@@ -233,15 +238,28 @@ void World<Dof>::resolve_impacts(double h) {
       W.template tail<3>() = omega;
     }
   };
-  const std::vector<Impact> hits =
-      resolve_late_impacts<Dof>(contacts_, law_of, h, shapes_, joints_, move_freely, bodies_);
-  impacts_.insert(impacts_.end(), hits.begin(), hits.end());
-  if (!hits.empty()) {
+  // A body that an impact has turned round may already be inside one that follows it. Their contact is found after the
+  // impact, and would get a row, which has no restitution.
+  const auto is_new_hit = [&](const Contact& contact, const std::set<std::pair<int, int>>& known) {
+    return contact.gap <= 0 && !known.contains({contact.i, contact.j}) &&
+           separation_speed(contact, bodies_.motion) < -impact_law(contact, h).threshold;
+  };
+  for (int round = 0; round < most_rounds_of_impacts; ++round) {
+    const std::vector<Twist<Dof>> before = bodies_.motion.W;
+    const std::vector<Impact> hits =
+        resolve_late_impacts<Dof>(contacts_, law_of, h, h_, shapes_, joints_, move_freely, bodies_);
+    if (hits.empty()) break;
+    impacts_.insert(impacts_.end(), hits.begin(), hits.end());
+    std::set<std::pair<int, int>> known;
+    for (const Contact& contact : contacts_) known.insert({contact.i, contact.j});
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.motion.W[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
     prepare_motion(h);  // the gyroscopic torque depends on ω
     add_last_impulses_of_joints(h);
+    if (std::none_of(contacts_.begin(), contacts_.end(),
+                     [&](const auto& one) { return is_new_hit(one, known); }))
+      break;
   }
   // An open contact that approaches fast enough for an impact gets no row, so that the impact can occur.
   const auto will_hit = [&](const Contact& contact) {
@@ -261,7 +279,7 @@ void World<Dof>::set_default_stiffness(double h) {
     mass += bodies_.mass[i];
     load += forces_[i].norm();
   }
-  load = std::max(largest_load_, load);
+  load = std::max(largest_load_, load + force_of_drives());
   const double of_joints = joint_stiffness(mass, h);
   const double k = spook::contact_stiffness(load, shapes_.smallest, of_joints);
   const char* too_short = "so long that the default k, 2e6/h² of the mass, is finite, or k given";

@@ -203,6 +203,8 @@ class World {
   /// Removes a body and its joints. The indices of later bodies and joints decrease. Clears the results of the last
   /// step.
   void remove_body(int body);
+  /// The number of bodies removed so far. If it has changed, indices of bodies have changed.
+  std::int64_t removals() const { return removals_; }
 
   /// Removes a joint. The indices of later joints decrease by one. Clears the results of the last step, whose rows were
   /// numbered with the joint.
@@ -309,6 +311,9 @@ class World {
   /// contacts() does not have it. A contact that bounces twice in a step is there twice.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
+  /// The changes of all velocities by the rows of the last step: V of chapter 04.
+  const std::vector<Twist<Dof>>& velocity_changes() const { return V_; }
+
   /// The joints; the impulse of one row of a joint in the last step [N s].
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
@@ -319,7 +324,9 @@ class World {
   double joint_speed(int joint) const requires(Dof == 6);
 
   /// The torque or force of the motor, the limit, or the spring of a hinge or slider on body j in the last step, along
-  /// the free coordinate [N m or N]. Zero before the first step, and without a motor, limit or spring.
+  /// the free coordinate [N m or N]. A motor that drives into its limit has its strength, and the limit has the remainder;
+  /// if the strength is infinite, the motor has what brakes it. Zero before the first step, and without a motor, limit or
+  /// spring.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
   double spring_force(int joint) const requires(Dof == 6);
@@ -417,6 +424,8 @@ class World {
   void warm_start_rows(double h);
   void solve_again(double h);
   void add_work_of_drives();
+  double force_of_drives() const;
+  void part_limits_from_motors(double h) requires(Dof == 6);
   void update_kinematic_velocities(double h);
   void move_kinematic(double h);
   void place_on_keyframes();
@@ -444,7 +453,7 @@ class World {
   void count_turns();
   void complete(Joint& joint) const;
   const Joint& free_joint(int joint) const;
-  double along_free(int joint, int row) const;
+  double along_free(int joint, int row, double more = 0) const;
   void require_finite_bodies() const;
   std::size_t first_row(int contact) const;
   std::size_t joint_index(int joint) const;
@@ -473,7 +482,7 @@ class World {
   WarmStartCache start_;               // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;
-  std::int64_t steps_ = 0;
+  std::int64_t steps_ = 0, removals_ = 0;
   double time_ = 0;
   double largest_load_ = 0;                // sum of the forces on all dynamic bodies [N]
   double h_ = 0;                           // of the last step [s]

@@ -143,7 +143,8 @@ void World<Dof>::forget_the_last_step() {
   joint_rows_.clear();
   next_joint_row_ = 0;
   hinges_.clear();
-  for (const Joint& joint : joints_) {
+  for (Joint& joint : joints_) {
+    joint.taken_by_limit = 0;
     if (joint.kind == JointKind::hinge) hinges_.push_back(joint_rows_.size());
     joint_rows_.push_back(next_joint_row_);
     next_joint_row_ += static_cast<std::size_t>(joint.rows());
@@ -218,13 +219,14 @@ double World<Dof>::joint_speed(int joint) const requires(Dof == 6) {
   return 0;
 }
 
-/// Returns the force or torque of a row on body j along the free coordinate [N m or N].
+/// Returns the force or torque of a row, and of `more` on the motor's row [N s or N m s], on body j along the free
+/// coordinate [N m or N].
 template <int Dof>
-double World<Dof>::along_free(int joint, int row) const {
+double World<Dof>::along_free(int joint, int row, double more) const {
   if constexpr (Dof == 6) {
     const Row<Dof>* found = joint_row(joint, row);
     const Coordinate free = free_coordinate(joints_[joint_index(joint)], bodies_);
-    if (found) return std::copysign(1.0, found->Gj.dot(free.Gj)) * found->lambda / h_;
+    if (found) return (std::copysign(1.0, found->Gj.dot(free.Gj)) * found->lambda + more) / h_;
   }
   return 0;
 }
@@ -250,16 +252,54 @@ void World<Dof>::add_work_of_drives() {
   }
 }
 
+/// Returns the sum of the forces of motors and springs in the last step [N]; that of a torque at its joint's longest arm.
+/// Motors without a bound are left out.
+template <int Dof>
+double World<Dof>::force_of_drives() const {
+  double sum = 0;
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    const Joint& joint = joints_[n];
+    if (!joint.spring && !joint.motor) continue;
+    const double longest = std::max(joint.p_i.norm(), joint.p_j.norm());
+    const double arm = joint.kind != JointKind::hinge ? 1 : longest > 0 ? longest : shapes_.smallest;
+    const auto add = [&](int of_joint) {
+      const Row<Dof>* row = joint_row(static_cast<int>(n), of_joint);
+      if (row) sum += std::abs(row->lambda) / (h_ * arm);
+    };
+    if (joint.spring) add(joint.spring_row());
+    if (joint.motor && std::isfinite(joint.motor->strength)) add(joint.rows() - 1);
+  }
+  return sum;
+}
+
+/// Notes, after the solve, which part of each motor's row is its limit's.
+template <int Dof>
+void World<Dof>::part_limits_from_motors(double h) requires(Dof == 6) {
+  if constexpr (Dof == 6) {
+    const auto speed_after = [&](int body) -> Twist<6> {
+      const Twist<6>& W = bodies_.motion.W[body];
+      return settings_.soft_steps ? W : Twist<6>(W + bodies_.motion.Wf[body] + V_[body]);
+    };
+    for (std::size_t n = 0; n < joints_.size(); ++n) {
+      Joint& joint = joints_[n];
+      if (!joint.motor || !joint.limits) continue;
+      const Row<6>& row = rows()[joint_rows_[n] + static_cast<std::size_t>(joint.rows() - 1)];
+      const double speed = row.Gi.dot(speed_after(row.i)) + row.Gj.dot(speed_after(row.j));
+      joint.taken_by_limit = impulse_of_limit(joint, row, speed, bodies_, h);
+    }
+  }
+}
+
 template <int Dof>
 double World<Dof>::motor_force(int joint) const requires(Dof == 6) {
   const Joint& found = free_joint(joint);
-  return found.motor ? along_free(joint, found.rows() - 1) : 0;
+  return found.motor ? along_free(joint, found.rows() - 1, -found.taken_by_limit) : 0;
 }
 
 template <int Dof>
 double World<Dof>::limit_force(int joint) const requires(Dof == 6) {
   const Joint& found = free_joint(joint);
-  return found.limits ? along_free(joint, found.holding_rows()) : 0;
+  return found.limits ? along_free(joint, found.holding_rows(), found.taken_by_limit) : 0;
 }
 
 template <int Dof>

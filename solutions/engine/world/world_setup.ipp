@@ -121,6 +121,7 @@ void World<Dof>::remove_body(int body) {
     joint.i -= joint.i > body;
     joint.j -= joint.j > body;
   }
+  ++removals_;
   forget_the_last_step();
 }
 

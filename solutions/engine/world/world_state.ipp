@@ -73,7 +73,7 @@ void World<Dof>::state(StateStream& s) {
     s(bodies_.x[i], motion.W[i], motion.Wf[i], motion.inverse_mass[i]);
     if constexpr (Dof == 6) s(bodies_.orientations.q[i]);
   }
-  for (Joint& joint : joints_) s(joint.k, joint.k_turn, joint.angle, joint.recovered);
+  for (Joint& joint : joints_) s(joint.k, joint.k_turn, joint.angle, joint.recovered, joint.taken_by_limit);
   double stiffness = materials_.stiffness();
   s(stiffness);
   materials_.set_stiffness(stiffness);

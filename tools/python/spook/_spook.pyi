@@ -66,8 +66,8 @@ class _EitherWorld:
     def start_half_step_back(self, h: float) -> None:
         """Sets the velocities back by half a step, under gravity alone. May be called once, before the first step."""
     def start_consistently(self, h: float) -> None:
-        """Sets the velocities back by half a step, under gravity and the forces of contacts and joints. May be called
-        once, before the first step."""
+        """Sets the velocities back by half a step, under gravity and the forces of contacts and joints: then positions
+        have errors of order h^2, and without this call of order h. May be called once, before the first step."""
     def synchronized_velocity(self, body: int, h: float) -> Array:
         """Returns the velocity at the time of the position, from the stored one, velocity_lag(h) before [m/s]. If a
         contact acts on the body, it is the stored one."""
@@ -98,14 +98,16 @@ class _EitherWorld:
     @property
     def state(self) -> str:
         """The verdict on all steps so far: "sound", "unsolved" (the solver's error in a step exceeds a hundredth of the
-        right-hand side) or "lost" (the motion is not that of the problem). A world with check=False is "unchecked"."""
+        right-hand side, or its iterations do not converge) or "lost" (the motion is not that of the problem). A world
+        with check=False is "unchecked"."""
     @property
     def reason(self) -> str:
         """The reason why the state is not "sound"; empty if it is."""
     @property
     def note(self) -> str:
-        """A further note, the first of these: a spring that yields by more than a hundredth of a body's size; a body that
-        passes another within a step; joints that take out energy; a world in which nothing can move."""
+        """Further notes, each of these when it is first found: a spring that yields by more than a hundredth of a body's
+        size; a body that passes another within a step; joints that take out energy; a world in which nothing can
+        move."""
     @property
     def x(self) -> Array:
         """Positions, a row for each body [m]. The array is the engine's own and read-only: its numbers change with each
@@ -125,9 +127,10 @@ class _EitherWorld:
     def joint_impulse(self, joint: int) -> Array:
         """Returns the impulse of each row of a joint in the last step [N s], as a copy."""
     def joint_force(self, joint: int) -> Array:
-        """Returns the force of a joint on body j in the last step [N]."""
+        """Returns the force of a joint on body j [N], at the beginning of the last step, or of its last part. With
+        integrator_order 4 it belongs to the middle of the step."""
     def contact_force(self, contact: int) -> Array:
-        """Returns the force of a contact on body j in the last step, including friction [N]."""
+        """Returns the force of a contact on body j, including friction [N], at the beginning of the last step."""
     def cast_ray(self, origin: Vector, direction: Vector, longest: float = ...) -> dict[str, Any] | None:
         """Returns the first body that a ray enters: body, point [m], outward normal and distance [m]; None if there is
         none within longest [m]. Default: any distance. The direction may have any length above 0. A body that contains
@@ -152,9 +155,11 @@ class PointWorld(_EitherWorld):
                  accuracy: float | None = None, threads: int = 1, check: bool = True) -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
-        gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
-        friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
-        cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
+        gravity [m/s^2]; stiffness k [N/m] and relaxation d [steps] of contacts and joints. Default of k: by masses and
+        forces. friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
+        cone if the solver has it, else two_pass: direct, conjugate_gradients and spatial_decomposition have no cone.
+        two_pass and box limit the friction along two tangents each, and so resist oblique motion up to sqrt(2) times too
+        much. tangents "fixed" or "sliding" are these directions.
         There are impacts only with a restitution, of the world or of a material, at approach speeds above the
         threshold [m/s], which needs a restitution of the world. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
@@ -196,9 +201,11 @@ class World(_EitherWorld):
                  accuracy: float | None = None, threads: int = 1, check: bool = True, rotation: str = "splitting") -> None:
         """Makes an empty world. Raises ValueError for invalid input.
 
-        gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints. Default of k: by masses and forces.
-        friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
-        cone if the solver has it, else two_pass. tangents "fixed" or "sliding" are the directions of friction.
+        gravity [m/s^2]; stiffness k [N/m] and relaxation d [steps] of contacts and joints. Default of k: by masses and
+        forces. friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box". Default: the
+        cone if the solver has it, else two_pass: direct, conjugate_gradients and spatial_decomposition have no cone.
+        two_pass and box limit the friction along two tangents each, and so resist oblique motion up to sqrt(2) times too
+        much. tangents "fixed" or "sliding" are these directions.
         There are impacts only with a restitution, of the world or of a material, at approach speeds above the
         threshold [m/s], which needs a restitution of the world. solver is one
         of spook.solvers(); it stops after so many iterations, or at the tolerance [m/s]. A slightly open
@@ -272,7 +279,8 @@ class World(_EitherWorld):
     def joint_torque(self, joint: int) -> Array:
         """Returns the torque of a joint on body j in the last step, in addition to its force [N m]."""
     def motor_force(self, joint: int) -> float:
-        """Returns the torque or force of the motor on body j in the last step, along the free axis [N m, N]."""
+        """Returns the torque or force of the motor on body j in the last step, along the free axis [N m, N]. If the motor
+        drives into the joint's limit, this is its strength, and limit_force has the rest."""
     def limit_force(self, joint: int) -> float:
         """Returns the torque or force of the limit on body j in the last step, along the free axis [N m, N]."""
     def spring_force(self, joint: int) -> float:
