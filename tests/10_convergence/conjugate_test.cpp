@@ -28,7 +28,8 @@ Eigen::VectorXd forth(const Eigen::MatrixXd& S, const Eigen::VectorXd& r) {
   return S.triangularView<Eigen::Lower>().solve(r);
 }
 
-Eigen::VectorXd and_back(const Eigen::MatrixXd& S, const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
+Eigen::VectorXd forth_and_back(const Eigen::MatrixXd& S, const Eigen::VectorXd& r) {
+  const Eigen::VectorXd z = forth(S, r);
   return z + S.triangularView<Eigen::Upper>().solve(r - S * z);
 }
 
@@ -49,17 +50,17 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
     const Eigen::VectorXd first = S.triangularView<Eigen::Upper>().solve(r);
     return Eigen::VectorXd(first + forth(S, r - S * first));
   }();
-  Eigen::VectorXd not_to_the_end = and_back(S, r, once);
+  Eigen::VectorXd not_to_the_end = forth_and_back(S, r);
   not_to_the_end[0] = once[0];
   const Eigen::VectorXd forgetful = once + S.triangularView<Eigen::Upper>().solve(r - without_Sigma * once);
   expect_near_vector(
-      "z of six coupled rows [N s]", "Eq. (10.6)", as_eigen(z), and_back(S, r, once), roundings(1000, 10),
+      "z of six coupled rows [N s]", "Eq. (10.6)", as_eigen(z), forth_and_back(S, r), roundings(1000, 10),
       {{once, "This is one sweep, first to last. Sweep back from the last row to the first afterwards."},
        {once + forth(S, r - S * once), "These are two sweeps from first to last: the second goes back."},
        {not_to_the_end, "The way back ends before the first row. It updates that one, too."},
        {back_first, "This swept back first, and forth afterwards."},
        {r.cwiseQuotient(D), "This is r/S_kk alone: each row must use the updates of the rows before it."},
-       {and_back(S, B, forth(S, B)), "The right side is r, not the rows' B."},
+       {forth_and_back(S, B), "The right side is r, not the rows' B."},
        {forgetful, "Σ z is missing in a row's residual: r - G V - Σ z."}},
       "Start at z = 0 and V = 0. For each row compute r - G V - Σ z, add that divided by S_kk to z, and "
       "scatter the change.");
@@ -149,8 +150,7 @@ EXERCISE_TEST(Precondition, DropsNothingSmall) {
       const auto z = precondition(p.rows, as_std(r), all_free(p.rows.size()), 3);
       expect_near_vector("z of some rows, for r = " + show(Eigen::MatrixXd(r)) +
                              " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
-                         "Eq. (10.6)", as_eigen(z), and_back(S, r, forth(S, r)), roundings(32), {},
-                         small_is_dropped);
+                         "Eq. (10.6)", as_eigen(z), forth_and_back(S, r), roundings(32), {}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -163,13 +163,13 @@ EXERCISE_TEST(Precondition, KnowsNoBounds) {
   const Eigen::Vector2d up =
       -r;  // λ = 0 is at the lower bound of both rows, but `free` says that they are free
   expect_near_vector("z of two contacts with positive residuals, λ = 0 [N s]", "Eq. (10.6)",
-                     as_eigen(precondition(p.rows, as_std(up), all_free(2), p.V.size())),
-                     and_back(S, up, forth(S, up)), roundings(32, 4),
+                     as_eigen(precondition(p.rows, as_std(up), all_free(2), p.V.size())), forth_and_back(S, up),
+                     roundings(32, 4),
                      {{Eigen::Vector2d(0, 0),
                        "Both rows have been left out. `free` says which rows are free, whatever λ and bounds "
                        "are."}});
   expect_near_vector("z of two contacts with negative residuals [N s]", "Eq. (10.6)", as_eigen(z),
-                     and_back(S, r, forth(S, r)), roundings(32, 4),
+                     forth_and_back(S, r), roundings(32, 4),
                      {{Eigen::Vector2d(0, 0), "z is a direction, and may be negative: it is not projected."}},
                      "z is not projected.");
 }
@@ -190,7 +190,7 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
       some_r.push_back(r[static_cast<Eigen::Index>(k)]);
     }
   const Eigen::MatrixXd S = dense_S(some.rows);
-  const Eigen::VectorXd expected_some = and_back(S, as_eigen(some_r), forth(S, as_eigen(some_r)));
+  const Eigen::VectorXd expected_some = forth_and_back(S, as_eigen(some_r));
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(7);
   Eigen::Index next = 0;
   for (Eigen::Index k = 0; k < 7; ++k)
@@ -210,7 +210,7 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
   expect_near_vector(
       "z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z), expected,
       roundings(1000, 10),
-      {{and_back(whole, r, forth(whole, r)), "All rows were treated as free."},
+      {{forth_and_back(whole, r), "All rows were treated as free."},
        {swept(swept(none, false, true), true, false),
         "Rows that are not free are skipped on the way forth, but not on the way back."},
        {swept(swept(none, false, false), true, true),
@@ -238,6 +238,23 @@ EXERCISE_TEST(Precondition, IsSymmetricAndPositive) {
   expect_at_least("u·P(u) [m N]", "Eq. (10.6)", u.dot(P(u)), 1e-6, "P is positive definite",
                   "Only then is z certain to be a direction of descent.");
   expect_true("without rows z is empty", "Eq. (10.6)", precondition<3>({}, {}, {}, 2).empty());
+}
+
+/// A step from λ along p, Eq. (10.8).
+struct Step {
+  Eigen::VectorXd aim, d, end;  ///< without bounds; the way to its projection; the lowest energy on that way
+  bool whole = false;           ///< no bound limits it
+};
+
+Step step_along(const Eigen::VectorXd& p, const Eigen::VectorXd& lambda, const Bounded& of) {
+  const Eigen::VectorXd r = of.B - of.S * lambda;
+  const double alpha = p.dot(r) / p.dot(of.S * p);
+  if (!(alpha > 0)) return {lambda, Eigen::VectorXd::Zero(p.size()), lambda};
+  const Eigen::VectorXd aim = lambda + alpha * p, projected = aim.cwiseMax(of.lo).cwiseMin(of.hi);
+  if (aim == projected) return {aim, aim - lambda, aim, true};
+  const Eigen::VectorXd d = projected - lambda;
+  const double t = d.isZero(0) ? 0 : std::clamp(d.dot(r) / d.dot(of.S * d), 0.0, 1.0);
+  return {aim, d, lambda + t * d};
 }
 
 double energy(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, const Eigen::VectorXd& lambda) {
@@ -368,9 +385,9 @@ EXERCISE_TEST(ConjugateSolve, NeverLeavesTheBounds) {
   for (int repeat = 0; repeat < 1000 && !::testing::Test::HasFailure(); ++repeat) {
     Problem<6> p = random_problem(random, 4, 12);
     take_bounds_off(p);
-    const Eigen::MatrixXd S = dense_S(p.rows);
-    const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B), from = forth(S, B), r = B - S * from;
-    const Eigen::VectorXd z = and_back(S, r, forth(S, r)), way = z.dot(r) / z.dot(S * z) * z;
+    const Bounded free = bounded(p.rows);
+    const Eigen::VectorXd from = forth(free.S, free.B), z = forth_and_back(free.S, free.B - free.S * from);
+    const Eigen::VectorXd way = step_along(z, from, free).d;
     const int k = random.integer(0, 11);
     Row<6>& row = p.rows[static_cast<std::size_t>(k)];
     (way[k] > 0 ? row.hi : row.lo) = from[k] + 0.95 * way[k];
@@ -435,36 +452,29 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrHasTheLargestResidual) {
     const Problem<6> start = swept;
     sweep(swept.rows, swept.V);
     std::vector<bool> free(10);
-    const Eigen::MatrixXd S = dense_S(start.rows);
-    Eigen::VectorXd r = gathered(start.rows, &Row<6>::B) - S * lambdas(swept);
+    const Bounded problem = bounded(start.rows);
+    const Eigen::VectorXd from = lambdas(swept);
+    Eigen::VectorXd r = problem.B - problem.S * from;
     for (std::size_t k = 0; k < 10; ++k) {
       const Row<6>& row = swept.rows[k];
       free[k] = row.lo < row.lambda && row.lambda < row.hi;
       if (!free[k]) r[static_cast<Eigen::Index>(k)] = 0;
     }
     const Eigen::VectorXd z = as_eigen(precondition(swept.rows, as_std(r), free, swept.V.size()));
-    const double zSz = z.dot(S * z);
-    if (!(zSz > 0)) continue;
-    const Eigen::VectorXd aim = lambdas(swept) + z.dot(r) / zSz * z;
-    bool projected = false;
-    for (Eigen::Index k = 0; k < 10; ++k) {
-      const Row<6>& row = start.rows[static_cast<std::size_t>(k)];
-      projected = projected || aim[k] < row.lo || aim[k] > row.hi;
-    }
+    if (!(z.dot(problem.S * z) > 0)) continue;
+    const Step step = step_along(z, from, problem);
+    const bool projected = !step.whole;
 
     Problem<6> once = start, twice = start;
     conjugate_solve(once.rows, once.V, {.max_sweeps = 1, .tolerance = 0});
     const SolveReport report = conjugate_solve(twice.rows, twice.V, {.max_sweeps = 2, .tolerance = 0});
-    const Eigen::VectorXd lo = gathered(start.rows, &Row<6>::lo), hi = gathered(start.rows, &Row<6>::hi);
-    const Eigen::VectorXd from = lambdas(swept), d = aim.cwiseMax(lo).cwiseMin(hi) - from;
-    const double t = d.isZero(0) ? 0 : std::clamp(d.dot(r) / d.dot(S * d), 0.0, 1.0);
-    expect_near_vector("λ after the first iteration, whose step is " +
-                           std::string(projected ? "projected" : "whole") + " [N s]",
-                       "Eq. (10.8)", lambdas(once), projected ? Eigen::VectorXd(from + t * d) : aim,
-                       roundings(1000, 10),
-                       {{from, "This is the result of the sweep: there was no step."},
-                        {from + d, "This is the whole way to the projected point, not the fraction t of it."}},
-                       "d leads to the projected point; go the fraction t = d·r/d·Sd of it, within [0, 1].");
+    expect_near_vector(
+        "λ after the first iteration, whose step is " + std::string(projected ? "projected" : "whole") +
+            " [N s]",
+        "Eq. (10.8)", lambdas(once), step.end, roundings(1000, 10),
+        {{from, "This is the result of the sweep: there was no step."},
+         {from + step.d, "This is the whole way to the projected point, not the fraction t of it."}},
+        "d leads to the projected point; go the fraction t = d·r/d·Sd of it, within [0, 1].");
     double of_free = 0, of_others = 0;
     for (const Row<6>& row : once.rows) {
       const double lacks = residual(std::vector<Row<6>>{row}, once.V);
@@ -497,10 +507,9 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrHasTheLargestResidual) {
   }
 }
 
-/// λ after each iteration of the header, in matrices, until the residual is so small that round-off would decide.
-std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
+/// λ after each iteration of the header, from 0 and in matrices, until the residual is less than `least`.
+std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations, double least) {
   const Eigen::Index n = of.B.size();
-  const auto clamped = [&](const Eigen::VectorXd& x) { return x.cwiseMax(of.lo).cwiseMin(of.hi).eval(); };
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(n), p = lambda, r;
   std::vector<Eigen::Index> free;
   std::vector<Eigen::VectorXd> all;
@@ -508,7 +517,7 @@ std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
   bool whole = false, left_behind = false;
   const auto look = [&] {
     r = of.B - of.S * lambda;
-    const Eigen::VectorXd next = clamped(lambda + r.cwiseQuotient(of.S.diagonal())),
+    const Eigen::VectorXd next = (lambda + r.cwiseQuotient(of.S.diagonal())).cwiseMax(of.lo).cwiseMin(of.hi),
                           lacks = of.S.diagonal().cwiseProduct(next - lambda).cwiseAbs();
     double of_free = 0, of_others = 0;
     free.clear();
@@ -522,24 +531,20 @@ std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
   };
   for (int done = 0; done < iterations; ++done) {
     look();
-    if (lacking < 1e-6) break;
+    if (lacking < least) break;
     const bool sweeps = !whole || left_behind;
     for (Eigen::Index k = 0; sweeps && k < n; ++k)
       lambda[k] = std::clamp(lambda[k] + (of.B[k] - of.S.row(k).dot(lambda)) / of.S(k, k), of.lo[k], of.hi[k]);
     look();
-    if (lacking < 1e-6) break;
+    if (lacking < least) break;
     Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
     const Eigen::MatrixXd S = of.S(free, free);
-    z(free) = and_back(S, r(free), forth(S, r(free)));
+    z(free) = forth_and_back(S, r(free));
     const double before = std::exchange(zr, z.dot(r));
     p = sweeps ? z : Eigen::VectorXd(z + zr / before * p);
-    const double alpha = p.dot(r) / p.dot(of.S * p);
-    whole = false;
-    if (alpha > 0) {
-      const Eigen::VectorXd aim = lambda + alpha * p, d = clamped(aim) - lambda;
-      whole = aim == clamped(aim);
-      lambda = whole ? aim : Eigen::VectorXd(lambda + std::clamp(d.dot(r) / d.dot(of.S * d), 0.0, 1.0) * d);
-    }
+    const Step step = step_along(p, lambda, of);
+    whole = step.whole;
+    lambda = step.end;
     all.push_back(lambda);
   }
   return all;
@@ -551,7 +556,7 @@ EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
     const auto [bodies, rows] = trial ? std::pair(5, 12) : std::pair(many / 2, many);
     Problem<6> start = random_problem(random, bodies, rows);
     give_bounds(random, start);
-    const auto expected = iterated(bounded(start.rows), 8);
+    const auto expected = iterated(bounded(start.rows), 8, 1e-6);  // less than that, and round-off would decide
     for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
@@ -765,22 +770,6 @@ EXERCISE_TEST(ConjugateSolve, DropsNothingSmall) {
     }
 }
 
-/// λ after each of some iterations, from 0 and without bounds, computed by Eq. (10.6)-(10.8) in matrices.
-std::vector<Eigen::VectorXd> iterated(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, int iterations) {
-  Eigen::VectorXd lambda = forth(S, B), p = Eigen::VectorXd::Zero(B.size());
-  double zr = infinity;
-  std::vector<Eigen::VectorXd> all;
-  for (int n = 0; n < iterations; ++n) {
-    const Eigen::VectorXd r = B - S * lambda, z = and_back(S, r, forth(S, r));
-    const double before = std::exchange(zr, z.dot(r));
-    p = z + zr / before * p;
-    if (p.isZero(0)) break;
-    lambda += p.dot(r) / p.dot(S * p) * p;
-    all.push_back(lambda);
-  }
-  return all;
-}
-
 EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
   for (const double part : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11})
     for (const Problem<3>& start : unlike_problems(part)) {
@@ -788,7 +777,7 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
       const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B);
       const std::string of = ", for B = " + show(Eigen::MatrixXd(B)) +
                              " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]";
-      const auto expected = iterated(S, B, 3);
+      const auto expected = iterated(bounded(start.rows), 3, 0);
       for (int n = 0; n < static_cast<int>(expected.size()); ++n) {
         Problem<3> p = start;
         conjugate_solve(p.rows, p.V, {.max_sweeps = n + 1, .tolerance = 0});
@@ -804,25 +793,22 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
 EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallWhereABoundIsMet) {
   for (const double part : relative_scales)
     for (const Problem<3>& start : unlike_problems(part)) {
-      const Eigen::MatrixXd S = dense_S(start.rows);
-      const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B), from = forth(S, B), r = B - S * from;
-      const Eigen::VectorXd z = and_back(S, r, forth(S, r));
+      const auto [S, B, lo, hi] = bounded(start.rows);
+      const Eigen::VectorXd from = forth(S, B), z = forth_and_back(S, B - S * from);
       if (!(z.dot(S * z) > 1e-20)) continue;
-      const Eigen::VectorXd aim = from + z.dot(r) / z.dot(S * z) * z;
+      const Eigen::VectorXd aim = step_along(z, from, {S, B, lo, hi}).aim;
       for (Eigen::Index k = 0; k < B.size(); ++k) {  // a bound of row k, half way along the step
         if (std::abs(aim[k] - from[k]) < 1e-2) continue;
         Problem<3> p = start;
         Row<3>& row = p.rows[static_cast<std::size_t>(k)];
         const double bound = (from[k] + aim[k]) / 2;
         (aim[k] > from[k] ? row.hi : row.lo) = bound;
-        Eigen::VectorXd d = aim - from;
-        d[k] = bound - from[k];
-        const double t = std::clamp(d.dot(r) / d.dot(S * d), 0.0, 1.0);
+        const Step step = step_along(z, from, bounded(p.rows));
         conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
         expect_near_vector("λ after a step that meets a bound of row " + std::to_string(k) +
                                ", for B = " + show(Eigen::MatrixXd(B)) +
                                " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
-                           "Eq. (10.8)", lambdas(p), Eigen::VectorXd(from + t * d),
+                           "Eq. (10.8)", lambdas(p), step.end,
                            {2e-14, "some units of round-off, times a condition of 4"}, {}, small_is_dropped);
         if (::testing::Test::HasFailure()) return;
       }

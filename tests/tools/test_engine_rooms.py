@@ -2,7 +2,9 @@
 
 import collections
 import re
+import tempfile
 import unittest
+from pathlib import Path
 
 from sandbox import ROOT
 
@@ -30,6 +32,17 @@ def allowed(may: str, name: str, names: list[str]) -> set[str]:
     return {name, *re.findall(r"\w+", may)}
 
 
+def misplaced(engine: Path) -> list[str]:
+    """Returns the sources that have no header of their own, and whose name no header of their room declares."""
+    found = []
+    for source in sorted(engine.glob("*/*.cpp")):
+        headers = [header.read_text(encoding="utf-8") for header in source.parent.glob("*.hpp")]
+        declares = re.compile(rf"^[\w:<>]+ {source.stem}\(", re.MULTILINE)
+        if not source.with_suffix(".hpp").exists() and not any(map(declares.search, headers)):
+            found.append(f"{source.parent.name}/{source.name}")
+    return found
+
+
 class Groups(unittest.TestCase):
     def test_no_two_sources_give_one_name_to_two_things(self):
         """They are compiled in groups, and a new file moves others into another group."""
@@ -55,6 +68,23 @@ class Rooms(unittest.TestCase):
                 self.assertEqual({header for room, header in _LINK.findall(holds) if room == name}, headers)
                 self.assertEqual({room for room, _ in _LINK.findall(holds)}, {name})
 
+    def test_every_source_has_its_header_or_the_declaration_of_its_function_in_its_room(self):
+        self.assertEqual(misplaced(ENGINE), [])
+
+    def test_a_source_in_another_room_is_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            engine = Path(folder)
+            for name, text in {"solvers/registry.hpp": "template <int Dof>\nSolver<Dof> direct();\n",
+                               "solvers/registry.cpp": "", "solvers/direct.cpp": "", "linear/factors.hpp": "",
+                               "linear/factors.cpp": "  direct();\n"}.items():
+                (engine / name).parent.mkdir(exist_ok=True)
+                (engine / name).write_text(text, encoding="utf-8")
+            self.assertEqual(misplaced(engine), [])
+            (engine / "solvers" / "direct.cpp").rename(engine / "linear" / "direct.cpp")
+            self.assertEqual(misplaced(engine), ["linear/direct.cpp"])
+            (engine / "linear" / "factors.cpp").rename(engine / "solvers" / "factors.cpp")
+            self.assertEqual(misplaced(engine), ["linear/direct.cpp", "solvers/factors.cpp"])
+
     def test_a_room_includes_only_what_the_map_allows(self):
         told = rooms()
         for name, (_, may) in told.items():
@@ -79,7 +109,6 @@ class Rooms(unittest.TestCase):
                 for name in re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE):
                     self.assertIn("/", name)
                     self.assertTrue(any((ROOT / top / name).exists() for top in ("solutions", "chapters")), name)
-
 
     def test_one_file_makes_the_code_of_a_world(self):
         """An explicit instantiation may stand once in a program, and each costs seconds."""
