@@ -60,11 +60,11 @@ bool HandIn<Dof>::take_over(const HandIn& other) {
   if (scene_bodies() != other.scene_bodies()) return false;
   for (const Later& later : other.later_) {
     const Vec3& x = other.world_.x(later.body);
-    if (later.mass > 0) {
-      drop(x, later.radius, later.mass);
-    } else {
+    if (other.world_.bodies().is_fixed(static_cast<std::size_t>(later.body))) {
       anchor_ = world_.add_fixed(x);
       later_.push_back({.body = *anchor_});
+    } else {
+      drop(x, later.radius, later.mass);
     }
   }
   if (other.grip_) pull(other.grip_->body, other.grip_->point, other.world_.x(*other.anchor_));

@@ -94,7 +94,7 @@ RigidBody copy_of(const Bodies<6>& bodies, std::size_t b) {
                  .q = bodies.orientations.q[b],
                  .omega = W.tail<3>(),
                  .mass = bodies.mass[b]};
-  if (body.mass > 0) body.principal = bodies.orientations.principal[b];
+  if (!bodies.is_fixed(b)) body.principal = bodies.orientations.principal[b];
   return body;
 }
 

@@ -221,12 +221,17 @@ Spring spring_in(const Place& place) {
   return spring;
 }
 
+std::map<std::string, JointKind> joint_kinds() {
+  std::map<std::string, JointKind> kinds;
+  for (const JointProperties& each : joint_properties) kinds.emplace(each.name, each.kind);
+  return kinds;
+}
+
 /// Throws std::invalid_argument for a key that a joint of this kind does not use, and for a length that is missing.
 void require_of_kind(const Place& place, const Joint& joint) {
-  const bool has_length = joint.kind == JointKind::distance || joint.kind == JointKind::rope;
   const bool has_limits = joint.kind == JointKind::rope || joint.limits;
   const std::string of_kind = "left out for a joint of kind " + name_of(joint.kind);
-  if (has_length && !joint.length)
+  if (joint.needs_length() && !joint.length)
     throw std::invalid_argument(place.path() + ".length is missing: a joint of kind " + name_of(joint.kind) +
                                 " has one");
   for (const char* key : {"axis", "rest", "k_turn"})
@@ -246,13 +251,7 @@ void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   read(place.find("length"), joint.length);
   read(place.find("k"), joint.k);
   read(place.find("d"), joint.d);
-  if (const auto kind = place.find("kind"))
-    joint.kind = one_of<JointKind>(*kind, {{"ball", JointKind::ball},
-                                           {"distance", JointKind::distance},
-                                           {"rope", JointKind::rope},
-                                           {"hinge", JointKind::hinge},
-                                           {"slider", JointKind::slider},
-                                           {"weld", JointKind::weld}});
+  if (const auto kind = place.find("kind")) joint.kind = one_of(*kind, joint_kinds());
   read(place.find("axis"), joint.axis);
   if (const auto rest = place.find("rest")) joint.rest = rest->quaternion();
   read(place.find("k_turn"), joint.k_turn);

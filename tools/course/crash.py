@@ -25,7 +25,13 @@ _CLAIMS = (  # what the libraries assert, and what it means to a student
 )
 _SIGNALS = {"SIGFPE": "an integer is divided by 0",
             "SIGSEGV": "invalid address: an index far past the end, a reference to a destroyed object, or a "
-                       "function that calls itself without end"}
+                       "function that calls itself without end",
+            "SIGILL": "an instruction that ends a program: of __builtin_trap(), or at the end of a function that "
+                      "returns nothing although it must",
+            "SIGTRAP": "an instruction that stops a program for a debugger",
+            "SIGKILL": "the program sent itself this signal, or the system did because its memory was used up",
+            "SIGSYS": "a system call that the kernel refuses by ending the program"}
+_OF_AN_INDEX = ("SIGBUS", "SIGABRT")  # what else a wrong index ends in
 _OWNERS = {"/c++/": " of the C++ library", "/Eigen/": " of Eigen"}  # of the file that asserts
 _KINDS = ("vector", "array", "span", "deque", "basic_string")
 
@@ -54,6 +60,8 @@ def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None)
     """Returns "chapters/01_leapfrog/kick.cpp:7: an index is past the end of a std::vector", and the line itself."""
     why = _cause(output) or _SIGNALS.get(signal_name, "")
     if where is None:
+        if not why and signal_name not in _OF_AN_INDEX:
+            return "The program sent itself this signal, or another process did."
         return (f"{why[:1].upper()}{why[1:]}." if why else
                 "That is most often an index past the end, or a function that calls itself without end.")
     exercise, number = where

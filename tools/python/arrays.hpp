@@ -83,7 +83,7 @@ py::dict joints(const PythonWorld<Dof>& self) {
     force.row(c) = world.joint_force(c);
     if constexpr (Dof == 6) {
       torque.row(c) = world.joint_torque(c);
-      if (joint.kind == JointKind::hinge || joint.kind == JointKind::slider) {
+      if (joint.has_free_axis()) {
         position[c] = world.joint_position(c);
         speed[c] = world.joint_speed(c);
       }

@@ -42,7 +42,8 @@ class Views {
   void require_none(const char* what) const {
     if (out_ > 0)
       throw py::buffer_error(std::string(what) +
-                             ": there are arrays that look at the bodies; del them, or copy() them, before");
+                             ": there are arrays that look at the bodies; del them, or copy() them, before; a "
+                             "prompt holds its last result as _, a notebook in Out, and a loop its last row");
   }
 
  private:

@@ -336,7 +336,7 @@ void require_in_order(const std::optional<std::array<double, 2>>& limits) {
 template <class World>
 World& with_free_axis(World& world, int joint) {
   const Joint& found = world.joints()[require_index("joint", joint, world.joints().size())];
-  if (found.kind != JointKind::hinge && found.kind != JointKind::slider)
+  if (!found.has_free_axis())
     throw std::invalid_argument("joint " + std::to_string(joint) +
                                 " must be a hinge or slider, but is of kind " + name_of(found.kind));
   return world;
@@ -511,6 +511,7 @@ void bind_both(Binding<Dof>& type, const char* name) {
             return self.world().velocity_lag(h);
           },
           "h"_a)
+      .property("work_of_drives", [](const Self& self) { return self.world().work_of_drives(); })
       .property("parts", [](const Self& self) { return self.world().parts(); })
       .property("time", [](const Self& self) { return self.world().time(); })
       .property("steps", [](const Self& self) { return self.world().steps(); })

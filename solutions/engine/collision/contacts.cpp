@@ -213,7 +213,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
   if (shapes.solids.size() > 1) {
     bounds_.clear();
     for (const PlacedSolid& solid : placed_) bounds_.push_back(bounds_of(solid));
-    const std::vector<Pair>& near = neighbours_.touching(bounds_);
+    const std::vector<Pair>& near = pair_cache_.touching(bounds_);
     pairs += static_cast<int>(near.size());
     const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
     const auto look_at = [&](std::size_t first, std::size_t end, std::vector<Contact>& found) {

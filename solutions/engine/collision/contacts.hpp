@@ -78,7 +78,7 @@ class ContactFinder {
  private:
   void remove_ghosts(const Shapes& shapes, std::size_t bodies, double grown, std::vector<Contact>& contacts);
 
-  PairCache neighbours_;
+  PairCache pair_cache_;
   std::vector<bool> everyone_;
   std::vector<PlacedSolid> placed_;  // the solids where they are now, each grown by half the margin
   std::vector<Bounds> bounds_;       // of the solids

@@ -9,36 +9,25 @@
 
 namespace spook {
 
-std::string name_of(JointKind kind) {
-  return std::array{"ball", "distance", "rope", "hinge", "slider", "weld"}[static_cast<std::size_t>(kind)];
+static_assert(
+    [] {
+      for (std::size_t n = 0; n < joint_properties.size(); ++n)
+        if (static_cast<std::size_t>(joint_properties[n].kind) != n) return false;
+      return true;
+    }(),
+    "joint_properties must be in the order of JointKind");
+
+const JointProperties& properties_of(JointKind kind) {
+  const auto n = static_cast<std::size_t>(kind);
+  if (n < joint_properties.size()) return joint_properties[n];
+  std::string names;
+  for (const JointProperties& known : joint_properties)
+    names += std::string(names.empty() ? "" : ", ") + known.name;
+  throw std::invalid_argument("kind of joint must be one of " + names + ", but is number " +
+                              std::to_string(static_cast<int>(kind)));
 }
 
 namespace {
-
-/// The holding rows of a joint: first those along axes, then those about axes.
-struct HoldingRows {
-  int along, about;
-};
-
-/// Returns the table's row of a kind; the compiler warns of a missing kind.
-HoldingRows held_by(JointKind kind) {
-  switch (kind) {
-    case JointKind::ball:
-      return {3, 0};
-    case JointKind::distance:
-    case JointKind::rope:
-      return {1, 0};
-    case JointKind::hinge:
-      return {3, 2};
-    case JointKind::slider:
-      return {2, 3};
-    case JointKind::weld:
-      return {3, 3};
-  }
-  throw std::invalid_argument(
-      "kind of joint must be one of ball, distance, rope, hinge, slider, weld, but is number " +
-      std::to_string(static_cast<int>(kind)));
-}
 
 /// Returns the smallest rotation from z to a unit vector.
 Quat turn_of_z_to(const Vec3& axis) {
@@ -57,13 +46,13 @@ void require_sound(const Spring& spring) {
 }
 
 int Joint::holding_rows() const {
-  const HoldingRows held = held_by(kind);
-  return held.along + held.about;
+  const JointProperties& of_kind = properties_of(kind);
+  return of_kind.along + of_kind.about;
 }
 
 bool Joint::turns(int row) const {
   if (row >= holding_rows()) return kind == JointKind::hinge;
-  return row >= held_by(kind).along;
+  return row >= properties_of(kind).along;
 }
 
 double Joint::stiffness(int row) const {

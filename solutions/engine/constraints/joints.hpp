@@ -3,7 +3,9 @@
 //
 //   p   from a body's centre to the joint's point, in the body's own axes; r = q p q* in the world
 //   c   axes of the joint in a body's own axes, third along the hinge or slider; P = q c in the world, Eq. (13.1)
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "13_mechanisms/mechanisms.hpp"
@@ -20,8 +22,30 @@ enum class JointKind {
   weld       ///< no relative motion is free
 };
 
-/// Returns "ball", "distance", "rope", "hinge", "slider" or "weld".
-std::string name_of(JointKind kind);
+/// Properties of a kind of joint.
+struct JointProperties {
+  JointKind kind;
+  const char* name;
+  int along, about;            ///< holding rows: first those along axes, then those about axes
+  bool has_length = false;     ///< of the distance, or the largest one
+  bool has_free_axis = false;  ///< it may have limits, a spring and a motor
+};
+
+/// All kinds, in the order of JointKind.
+inline constexpr std::array<JointProperties, 6> joint_properties = {
+    {{JointKind::ball, "ball", 3, 0},
+     {JointKind::distance, "distance", 1, 0, true},
+     {JointKind::rope, "rope", 1, 0, true},
+     {JointKind::hinge, "hinge", 3, 2, false, true},
+     {JointKind::slider, "slider", 2, 3, false, true},
+     {JointKind::weld, "weld", 3, 3}}};
+
+/// Throws std::invalid_argument, naming all kinds, for a number that is none.
+const JointProperties& properties_of(JointKind kind);
+
+inline std::string name_of(JointKind kind) {
+  return properties_of(kind).name;
+}
 
 /// A spring and a damper on the free coordinate of a hinge or slider: -k (s - rest) - c ds/dt, on j. The step is stable
 /// for any k and c: engine/constraints/joint_rows.hpp.
@@ -67,7 +91,9 @@ struct Joint {
   double taken_by_limit = 0;
 
   /// Tells whether the joint is a hinge, a slider or a weld.
-  bool is_guided() const { return kind > JointKind::rope; }
+  bool is_guided() const { return properties_of(kind).about > 0; }
+  bool needs_length() const { return properties_of(kind).has_length; }
+  bool has_free_axis() const { return properties_of(kind).has_free_axis; }
   /// The number of rows: the holding rows first, then one each for the limits, the spring, and the motor.
   int rows() const { return spring_row() + (spring ? 1 : 0) + (motor ? 1 : 0); }
   /// The index of the spring's row, if there is a spring.

@@ -6,7 +6,7 @@
 
 namespace spook {
 
-/// Returns false for static bodies, which no impulse moves.
+/// Returns false for static bodies, which no impulse moves: Bodies::is_fixed, for code that has no Bodies.
 template <int Dof>
 bool is_dynamic(const InverseMass<Dof>& inverse_mass) {
   return inverse_mass.linear > 0;

@@ -12,7 +12,8 @@
 
 namespace spook {
 
-/// Tells whether body i, or j, of a row is dynamic.
+/// Tells whether body i, or j, of a row is dynamic: whether the row's impulse changes its velocity. Needs no masses,
+/// unlike is_dynamic of engine/linear/body_numbers.hpp.
 template <int Dof>
 bool moves_i(const Row<Dof>& row) {
   return !row.MinvGi.isZero(0);

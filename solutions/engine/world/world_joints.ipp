@@ -50,9 +50,8 @@ int World<Dof>::add_joint(const Joint& given) {
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
                              *joint.length, spook);
   }
-  const bool needs_length = joint.kind == JointKind::distance || joint.kind == JointKind::rope;
-  require_kind(joint.length || !needs_length, joint, "another than distance or rope, without a length");
-  const bool leaves_free = joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
+  require_kind(joint.length || !joint.needs_length(), joint, "another than distance or rope, without a length");
+  const bool leaves_free = joint.has_free_axis();
   if (joint.limits) require_kind(leaves_free, joint, "hinge or slider, where it has limits");
   if (joint.spring) require_kind(leaves_free, joint, "hinge or slider, where it has a spring");
   if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
@@ -109,8 +108,7 @@ void World<Dof>::complete(Joint& joint) const {
 template <int Dof>
 void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6) {
   Joint& driven = joints_[joint_index(joint)];
-  require_kind(driven.kind == JointKind::hinge || driven.kind == JointKind::slider, driven,
-               "hinge or slider, where it has a motor");
+  require_kind(driven.has_free_axis(), driven, "hinge or slider, where it has a motor");
   if (motor) require_sound(*motor);
   if (motor) require_for_order_four({.i = 0, .j = 0, .d = 0, .motor = motor});
   const bool as_many_rows = motor.has_value() == driven.motor.has_value();
@@ -121,8 +119,7 @@ void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) require
 template <int Dof>
 void World<Dof>::set_spring(int joint, const std::optional<Spring>& spring) requires(Dof == 6) {
   Joint& sprung = joints_[joint_index(joint)];
-  require_kind(sprung.kind == JointKind::hinge || sprung.kind == JointKind::slider, sprung,
-               "hinge or slider, where it has a spring");
+  require_kind(sprung.has_free_axis(), sprung, "hinge or slider, where it has a spring");
   if (spring) require_sound(*spring);
   if (spring) require_for_order_four({.i = 0, .j = 0, .d = 0, .spring = spring});
   if (spring) require_for_soft_steps({.i = 0, .j = 0, .spring = spring});
@@ -199,7 +196,7 @@ Vec3 World<Dof>::joint_torque(int joint) const requires(Dof == 6) {
 template <int Dof>
 const Joint& World<Dof>::free_joint(int joint) const {
   const Joint& found = joints_[joint_index(joint)];
-  require_kind(found.kind == JointKind::hinge || found.kind == JointKind::slider, found, "hinge or slider");
+  require_kind(found.has_free_axis(), found, "hinge or slider");
   return found;
 }
 

@@ -40,14 +40,6 @@ _TIMES, _FREE = 3, 3.0
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
 _BUSY = 8  # times as long as its processor time is what a test may take on the clock of a machine with much to do
 _NOT_SENT = 97  # exit code of tests/remote/answering.cpp, most often where an answer is longer than a message may be
-_OF_AN_INDEX = ("SIGSEGV", "SIGBUS", "SIGFPE", "SIGABRT")
-_OF_OTHERS = {
-    "SIGILL": "It came to an instruction that ends a program: of __builtin_trap(), or at the end of a function that "
-              "returns nothing although it must.",
-    "SIGTRAP": "It came to an instruction that stops a program for a debugger.",
-    "SIGKILL": "The program sent itself this signal, or the system did because its memory was used up.",
-    "SIGSYS": "It made a system call that the kernel refuses by ending the program.",
-}
 _PREFIX = re.compile(r"\AFailed\n")
 
 
@@ -261,7 +253,7 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It requested more memory than available."]
     if number:
-        return CRASHED, _name(number), [_crash(_name(number), ran.output[-_LAST_WORDS:])]
+        return CRASHED, _name(number), [crash.explained(_name(number), ran.output[-_LAST_WORDS:], None)]
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):
@@ -270,13 +262,6 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
             "The test could not use the answer: it has an invalid size or index."]
     asked = "Is its answer far too large?" if ran.code == _NOT_SENT else "Does it call exit?"
     return ENDED_EARLY, f"exit code {ran.code}", [f"The program ended before the test did. {asked}"]
-
-
-def _crash(signal_name: str, output: str) -> str:
-    """Explains a signal. Only some of them can come from a wrong index."""
-    if signal_name in _OF_AN_INDEX:
-        return crash.explained(signal_name, output, None)
-    return _OF_OTHERS.get(signal_name, "The program sent itself this signal, or another process did.")
 
 
 def _load() -> float:

@@ -82,8 +82,7 @@ class Model:
         for name in ("settotalmass", "boundmass", "boundinertia"):
             if numbers(whole, name, 1, "-1")[0] > 0:
                 report.leave_out(f"compiler {name}", whole)
-        for world in root.findall("worldbody"):
-            expand(world, self.in_degrees, self.euler_order)
+        expand(root, self.in_degrees, self.euler_order)
         self.world = Part("world", None, False, [])
         self._owner = "world"  # the body whose geoms are read
         self.planes: list[Element] = []  # each with its place, and its body as "owner"

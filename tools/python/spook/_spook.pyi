@@ -89,6 +89,9 @@ class _EitherWorld:
         """The number of equal parts of the last step, at most max_parts. Contacts, rows, forces and impulses are those
         of its last part."""
     @property
+    def work_of_drives(self) -> float:
+        """The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J]."""
+    @property
     def masses(self) -> Array:
         """The mass of each body [kg], as a copy; infinite for a static one."""
     @property
