@@ -203,7 +203,7 @@ class MacParts(unittest.TestCase):
 
 
     def test_what_needs_linux_says_so_in_one_line(self):
-        for command, *words in ((grade, "grade", "."), (everything.test, "test", "--all"), (export, "export", "weights"),
+        for command, *words in ((grade, "grade", "."), (everything.test, "test", "--all"),
                                 (export, "export", "students", "--out", "/tmp/nowhere")):
             with self.subTest(words), self.assertRaises(CourseError) as caught:
                 command(parse(words))
