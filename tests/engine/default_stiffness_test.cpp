@@ -115,5 +115,34 @@ TEST(DefaultStiffness, GivesWayToAnyThatIsSaid) {
   EXPECT_NEAR(world.x(held).z(), 1 - g / 2e4, 1e-9);
 }
 
+TEST(DefaultStiffness, FollowsWhatMotorsAndSpringsPressWith) {
+  // A slider presses a cube of 1 kg on the floor with 10⁴ N, by a motor or a spring. A strong spring on a hinge needs more
+  // parts in the first step, which is taken again.
+  for (const bool motor : {true, false})
+    for (const double h : {1.0 / 30, 1.0 / 240}) {
+      World<6> world({});
+      world.add_plane(Vec3::UnitZ(), 0);
+      const int frame = world.add_fixed(Vec3(0, 0, 2));
+      const int cube = world.add({.x = Vec3(0, 0, 0.1), .mass = 1, .half_sides = Vec3::Constant(0.1)});
+      Joint press{.i = frame, .j = cube, .kind = JointKind::slider};
+      press.p_i = Vec3(0, 0, -1.9);
+      if (motor)
+        press.motor = Motor{.speed = -1, .strength = 1e4};
+      else
+        press.spring = Spring{.stiffness = 1e5, .rest = -0.1};
+      world.add_joint(press);
+      const int hung = world.add_fixed(Vec3(5, 0, 3));
+      const int arm = world.add({.x = Vec3(5.5, 0, 3), .mass = 1, .half_sides = Vec3(0.5, 0.1, 0.1)});
+      world.add_joint({.i = hung,
+                       .j = arm,
+                       .p_j = Vec3(-0.5, 0, 0),
+                       .kind = JointKind::hinge,
+                       .axis = Vec3::UnitY(),
+                       .spring = Spring{.stiffness = 1e4, .rest = 1}});
+      for (int n = 0; n < 1 / h; ++n) world.step(h);
+      EXPECT_NEAR(world.x(cube).z(), 0.1, 1e-4) << (motor ? "motor" : "spring") << ", h " << h;
+    }
+}
+
 }  // namespace
 }  // namespace spook::default_stiffness_test

@@ -15,7 +15,12 @@ class LongSteps {
   /// Without a formula, `Settings::force`, it costs nothing.
   template <int Dof>
   void look(const World<Dof>& world, const std::vector<Vec3>& x, double h, double T) {
-    if (!world.settings().force || world.settings().integrator_order == 4) return;
+    const Settings<Dof>& settings = world.settings();
+    if (!settings.force || settings.stepper || settings.integrator_order == 4) return;
+    if (world.parts() > 1) {  // their forces and positions between are not known
+      *this = {};
+      return;
+    }
     const Bodies<Dof>& bodies = world.bodies();
     double pull = 0, inertia = 0;
     for (std::size_t i = 0; i < f_before_.size(); ++i) {

@@ -65,18 +65,6 @@ static double smallest_size(const std::vector<double>& sizes, const std::vector<
   return std::isfinite(smallest) ? smallest : 0;
 }
 
-/// Returns ½ k gap² of all joints [J].
-template <int Dof>
-static double energy_of_joints(const World<Dof>& world) {
-  double energy = 0;
-  for (const Joint& joint : world.joints()) {
-    const JointGap gap = gap_of(joint, world.bodies());
-    energy += *joint.k * gap.apart.squaredNorm() / 2;
-    if (joint.is_guided()) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
-  }
-  return energy;
-}
-
 /// Tells whether a joint, beside its motor and spring, may take energy by intent: where a limit or a rope stops bodies.
 static bool may_stop(const Joint& joint) {
   return joint.limits || joint.kind == JointKind::rope;
@@ -113,6 +101,7 @@ bool RunCheck<Dof>::has_same_bodies(const World<Dof>& world) const {
 
 template <int Dof>
 void RunCheck<Dof>::begin_step(const World<Dof>& world) {
+  if (sizes_.empty()) removals_ = world.removals();  // a state may have been read
   if (moved_ || !has_same_bodies(world) || world.steps() != last_step_) start(world);
 }
 
@@ -123,14 +112,32 @@ void RunCheck<Dof>::start(const World<Dof>& world) {
   overlap_ = infinity;  // how bodies begin is not the step's doing
   started_ = most_ = kinetic_energy(world.bodies());
   given_ = 0;
-  springs_ = energy_of_joints(world);
+  springs_ = 0;
   first_ = true;
   long_steps_ = {};
   had_rows_ = false;
   may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
                    std::any_of(world.joints().begin(), world.joints().end(), may_stop);
   moved_ = false;
+  gaps_.clear();
+  for (const Joint& joint : world.joints()) {
+    const JointGap gap = gap_of(joint, world.bodies());
+    gaps_.push_back(gap.apart.squaredNorm());
+    gaps_.push_back(joint.is_guided() ? gap.turned.squaredNorm() : 0);
+  }
   note_state(world);
+}
+
+/// Returns ½ k gap² of all joints with their gaps at the start [J]. A default k is known after the first step only.
+template <int Dof>
+double RunCheck<Dof>::energy_at_start(const World<Dof>& world) const {
+  double energy = 0;
+  for (std::size_t n = 0; n < world.joints().size() && 2 * n + 1 < gaps_.size(); ++n) {
+    const Joint& joint = world.joints()[n];
+    energy += *joint.k * gaps_[2 * n] / 2;
+    if (joint.is_guided()) energy += *joint.k_turn * gaps_[2 * n + 1] / 2;
+  }
+  return energy;
 }
 
 template <int Dof>
@@ -151,6 +158,7 @@ void RunCheck<Dof>::note_state(const World<Dof>& world) {
 template <int Dof>
 void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
+  if (sizes_.empty()) removals_ = world.removals();
   const bool goes_on = world.steps() == last_step_ + 1 && has_same_bodies(world);
   if (!goes_on) return start(world);
   if (sizes_.empty()) find_sizes(world);  // a state was read
@@ -174,7 +182,8 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
 
 template <int Dof>
 void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
-  fastest_ = std::max(fastest_, fastest_products(world));
+  if (const double products = fastest_products(world); std::isfinite(products))
+    fastest_ = std::max(fastest_, products);
   // A solver may have converged to a tolerance that is too large.
   const SolveReport& solved = world.solved();
   if (solved.converged && solved.history.empty()) return;
@@ -364,7 +373,7 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
   const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
   had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
   may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
-  if (first_) springs_ += energy_of_contacts(world);
+  if (first_) springs_ = energy_of_contacts(world) + energy_at_start(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;
   const double size = largest_size(sizes_, world.joints());

@@ -29,7 +29,7 @@
 //   soft steps        are unsolved if this error moves bodies by more than a hundredth of the smallest size in a step
 //   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
 //                     speeds, too
-//   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of the first step and the work of motors; Δx is a body's
+//   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of joints and springs at the start and the work of motors; Δx is a body's
 //                     way, so that the energy which lifts it out of an overlap counts
 //   SPOOK's rate      an overlap shrinks by the part a h = 4/(1 + 4 d) in a step, Eq. (3.4)
 //
@@ -83,7 +83,7 @@ class RunCheck {
     s(noted_, last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_,
       sagging_steps_, sag_, sagged_);
     long_steps_.state(s);
-    s(started_, given_, springs_, most_, fastest_, before_, x_before_, lag_);
+    s(started_, given_, springs_, gaps_, most_, fastest_, before_, x_before_, lag_);
   }
 
  private:
@@ -91,6 +91,7 @@ class RunCheck {
   void start(const World<Dof>& world);
   void find_sizes(const World<Dof>& world);
   void note_state(const World<Dof>& world);
+  double energy_at_start(const World<Dof>& world) const;
 
   struct Overlap {
     double share = 0;                  ///< over the smaller size of the two bodies
@@ -127,6 +128,7 @@ class RunCheck {
   double started_ = 0;              // kinetic energy at the start of the balance [J]
   double given_ = 0;                // work of forces since the start [J]
   double springs_ = 0;              // energy of springs at the start [J]
+  std::vector<double> gaps_;        // of each joint at the start: of its points, and of its angles, squared
   double most_ = 0;                 // the largest kinetic energy so far [J]
   double fastest_ = 0;              // the largest products of a row with velocities so far, for round-off [m/s]
   double lag_ = 0;                  // from velocities to positions in the last step [s]

@@ -196,9 +196,9 @@ class ImpactQueue {
     }
     if (!joints.empty())
       for (const std::size_t body : moving) carry(body, -late);
-    const std::vector<Row<Dof>> joint_rows = impact_rows(joints, h_, bodies_);
     std::vector<Twist<Dof>> W;
     for (const std::size_t body : moving) W.push_back(motion.W[body] -= late / h_ * motion.Wf[body]);
+    const std::vector<Row<Dof>> joint_rows = impact_rows(joints, h_, bodies_);
     std::vector<Impact> impacts;
     for (const Contact& contact : contacts)
       impacts.push_back({contact.i, contact.j, -separation_speed(contact, motion)});

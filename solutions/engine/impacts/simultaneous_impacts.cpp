@@ -149,7 +149,7 @@ ImpactImpulses<Dof> plastic(const ImpactProblem<Dof>& problem) {
   return {impulses(rows), V};
 }
 
-/// Adds friction to impulses without it, as far as it adds no energy.
+/// Returns the impact with restitution and friction, or as much of it, beyond `without` friction, as adds no energy.
 template <int Dof>
 ImpactImpulses<Dof> with_friction(ImpactProblem<Dof>& problem, const ImpactImpulses<Dof>& without) {
   double fastest = 0;
@@ -169,8 +169,12 @@ void resolve_together(const std::vector<Contact>& contacts, const std::vector<Im
   direct_solve(problem.rows, problem.V, of_factors, factors);  // friction rows have bounds of 0
   ImpactImpulses<Dof> found{impulses(problem.rows), problem.V};
   // Joints do not bounce. Where contacts do, and act on the same bodies, Eq. (7.18) could add energy.
-  if (!joints.empty() && energy_added(problem, found) > 0) found = towards(problem, plastic(problem), found);
-  if (!problem.friction.empty()) found = with_friction(problem, found);
+  ImpactImpulses<Dof> least = found;
+  if (!joints.empty() && energy_added(problem, found) > 0) {
+    least = plastic(problem);
+    found = towards(problem, least, found);
+  }
+  if (!problem.friction.empty()) found = with_friction(problem, least);
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) motion.W[problem.bodies[b]] += found.V[b];
 }
 

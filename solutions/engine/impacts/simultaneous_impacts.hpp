@@ -10,7 +10,7 @@
 //
 // Without friction this is Moreau's impact. With e = 1 the closed contacts reflect, and the energy is kept. Joints do not
 // bounce, so with them λ⁰ may add energy. Then λ⁰ is λᵖ + κ (λ⁰ - λᵖ), again with the largest κ that adds none; λᵖ is the
-// plastic impact, e = 0 in all rows.
+// plastic impact, e = 0 in all rows, which also stops what a joint's own row has of a speed. Friction then starts from λᵖ.
 #include <vector>
 
 #include "07_impacts/impacts.hpp"

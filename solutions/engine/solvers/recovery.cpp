@@ -74,15 +74,18 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
 }
 
 template <int Dof>
-void limit_energy(const SolverInput<Dof>& s, const std::function<bool(const Contact&)>& may_throw) {
+void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::vector<RowState>& first,
+                  const std::function<bool(const Contact&)>& may_throw) {
   const Motion<Dof>& motion = s.bodies.motion;
   const std::vector<Row<Dof>>& rows = s.rows();
   const auto is_spring_or_joint = [&](int k) {
-    if (k < static_cast<int>(s.constraints.first_contact_row)) return true;
+    if (k < static_cast<int>(joint_rows)) return true;
     const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
     return c && may_throw && may_throw(s.contacts[*c]);
   };
   for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
+    const auto was_changed = [&](int k) { return rows[k].B != first[static_cast<std::size_t>(k)].B; };
+    if (std::none_of(island.begin(), island.end(), was_changed)) continue;
     if (std::any_of(island.begin(), island.end(), is_spring_or_joint)) continue;
     // κ V adds the energy b κ + ½ c κ².
     double b = 0, c = 0;
@@ -122,8 +125,10 @@ template bool prepare_second_solve(const SolverInput<3>&, double, const std::fun
                                    const JointRecovery&, std::vector<RowState>&);
 template bool prepare_second_solve(const SolverInput<6>&, double, const std::function<bool(const Contact&)>&,
                                    const JointRecovery&, std::vector<RowState>&);
-template void limit_energy(const SolverInput<3>&, const std::function<bool(const Contact&)>&);
-template void limit_energy(const SolverInput<6>&, const std::function<bool(const Contact&)>&);
+template void limit_energy(const SolverInput<3>&, std::size_t, const std::vector<RowState>&,
+                           const std::function<bool(const Contact&)>&);
+template void limit_energy(const SolverInput<6>&, std::size_t, const std::vector<RowState>&,
+                           const std::function<bool(const Contact&)>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<3>>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<6>>&);
 

@@ -36,10 +36,13 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
                           const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
                           std::vector<RowState>& first);
 
-/// Shortens the velocities V of the second solve `s` in islands of contacts where they add energy. Contacts that stop and do
-/// not bounce take energy, so such a solve has failed: with friction on overlapping bodies the problem may have no solution.
+/// Shortens the velocities V of the second solve `s` in those islands of contacts where they add energy. Contacts that
+/// stop and do not bounce take energy, so such a solve has failed: with friction on overlapping bodies the problem may have
+/// no solution. `first` are the states of the first solve: an island without a changed row was not solved again. Islands
+/// of joints, whose rows are the first `joint_rows`, and of springs are left as they are.
 template <int Dof>
-void limit_energy(const SolverInput<Dof>& s, const std::function<bool(const Contact&)>& may_throw);
+void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::vector<RowState>& first,
+                  const std::function<bool(const Contact&)>& may_throw);
 
 /// Gives the rows the states that prepare_second_solve has found.
 template <int Dof>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "common/require.hpp"
@@ -79,6 +78,7 @@ void World<Dof>::step_part(double h) {
   if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { solve_again(h); });
   if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
   if constexpr (Dof == 6) part_limits_from_motors(h);
+  force_of_drives_ = force_of_drives(h);
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
@@ -240,8 +240,9 @@ void World<Dof>::resolve_impacts(double h) {
   };
   // A body that an impact has turned round may already be inside one that follows it. Their contact is found after the
   // impact, and would get a row, which has no restitution.
-  const auto is_new_hit = [&](const Contact& contact, const std::set<std::pair<int, int>>& known) {
-    return contact.gap <= 0 && !known.contains({contact.i, contact.j}) &&
+  const auto is_new_hit = [&](const Contact& contact, const std::vector<std::pair<int, int>>& known) {
+    return contact.gap <= 0 &&
+           !std::binary_search(known.begin(), known.end(), std::pair(contact.i, contact.j)) &&
            separation_speed(contact, bodies_.motion) < -impact_law(contact, h).threshold;
   };
   for (int round = 0; round < most_rounds_of_impacts; ++round) {
@@ -250,8 +251,9 @@ void World<Dof>::resolve_impacts(double h) {
         resolve_late_impacts<Dof>(contacts_, law_of, h, h_, shapes_, joints_, move_freely, bodies_);
     if (hits.empty()) break;
     impacts_.insert(impacts_.end(), hits.begin(), hits.end());
-    std::set<std::pair<int, int>> known;
-    for (const Contact& contact : contacts_) known.insert({contact.i, contact.j});
+    std::vector<std::pair<int, int>> known;
+    for (const Contact& contact : contacts_) known.push_back({contact.i, contact.j});
+    std::sort(known.begin(), known.end());
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.motion.W[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
@@ -269,7 +271,7 @@ void World<Dof>::resolve_impacts(double h) {
   if (!joints_.empty()) prepare_motion(h);
 }
 
-/// Sets the default k. Bodies and forces may change in each step; the k of contacts never decreases.
+/// Sets the default k. Bodies and forces may change in each step; the load that k follows never decreases.
 template <int Dof>
 void World<Dof>::set_default_stiffness(double h) {
   if (settings_.k) return;
@@ -279,7 +281,7 @@ void World<Dof>::set_default_stiffness(double h) {
     mass += bodies_.mass[i];
     load += forces_[i].norm();
   }
-  load = std::max(largest_load_, load + force_of_drives());
+  load = std::max(largest_load_, load + force_of_drives_);
   const double of_joints = joint_stiffness(mass, h);
   const double k = spook::contact_stiffness(load, shapes_.smallest, of_joints);
   const char* too_short = "so long that the default k, 2e6/h² of the mass, is finite, or k given";

@@ -381,7 +381,7 @@ class World {
     std::vector<double> angles;   ///< of the hinges [rad]
     std::vector<bool> recovered;  ///< of the joints
     WarmStartCache start;
-    double time = 0, h = 0, gap_step = 0;
+    double time = 0, h = 0, gap_step = 0, force_of_drives = 0;
   };
 
   void take_step(double h);
@@ -424,7 +424,7 @@ class World {
   void warm_start_rows(double h);
   void solve_again(double h);
   void add_work_of_drives();
-  double force_of_drives() const;
+  double force_of_drives(double h) const;
   void part_limits_from_motors(double h) requires(Dof == 6);
   void update_kinematic_velocities(double h);
   void move_kinematic(double h);
@@ -487,6 +487,7 @@ class World {
   double largest_load_ = 0;                // sum of the forces on all dynamic bodies [N]
   double h_ = 0;                           // of the last step [s]
   double work_of_drives_ = 0;              // in the last step [J]
+  double force_of_drives_ = 0;             // of motors and springs in the last step [N]
   std::vector<Kinematic<Dof>> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
   double parts_per_second_ = 0;  // number of parts that the last part needed, over h [1/s]

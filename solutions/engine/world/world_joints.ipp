@@ -137,6 +137,7 @@ void World<Dof>::remove_joint(int joint) {
 /// Clears the results of the last step, since rows have new indices.
 template <int Dof>
 void World<Dof>::forget_the_last_step() {
+  force_of_drives_ = 0;
   joint_rows_.clear();
   next_joint_row_ = 0;
   hinges_.clear();
@@ -249,19 +250,21 @@ void World<Dof>::add_work_of_drives() {
   }
 }
 
-/// Returns the sum of the forces of motors and springs in the last step [N]; that of a torque at its joint's longest arm.
-/// Motors without a bound are left out.
+/// Returns the sum of the forces of motors and springs, after the solve of a step of `h` [N]; that of a torque at the
+/// longest arm of a dynamic body. Motors without a bound are left out.
 template <int Dof>
-double World<Dof>::force_of_drives() const {
+double World<Dof>::force_of_drives(double h) const {
   double sum = 0;
   for (std::size_t n = 0; n < joints_.size(); ++n) {
     const Joint& joint = joints_[n];
     if (!joint.spring && !joint.motor) continue;
-    const double longest = std::max(joint.p_i.norm(), joint.p_j.norm());
+    const auto arm_of = [&](int body, const Vec3& p) {
+      return bodies_.is_fixed(static_cast<std::size_t>(body)) ? 0 : p.norm();
+    };
+    const double longest = std::max(arm_of(joint.i, joint.p_i), arm_of(joint.j, joint.p_j));
     const double arm = joint.kind != JointKind::hinge ? 1 : longest > 0 ? longest : shapes_.smallest;
     const auto add = [&](int of_joint) {
-      const Row<Dof>* row = joint_row(static_cast<int>(n), of_joint);
-      if (row) sum += std::abs(row->lambda) / (h_ * arm);
+      sum += std::abs(rows()[joint_rows_[n] + static_cast<std::size_t>(of_joint)].lambda) / (h * arm);
     };
     if (joint.spring) add(joint.spring_row());
     if (joint.motor && std::isfinite(joint.motor->strength)) add(joint.rows() - 1);

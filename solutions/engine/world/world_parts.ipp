@@ -70,6 +70,7 @@ void World<Dof>::remember_state() {
   before.time = time_;
   before.h = h_;
   before.gap_step = gap_step_;
+  before.force_of_drives = force_of_drives_;
 }
 
 template <int Dof>
@@ -85,6 +86,7 @@ void World<Dof>::go_back() {
   time_ = before.time;
   h_ = before.h;
   gap_step_ = before.gap_step;
+  force_of_drives_ = before.force_of_drives;
   impacts_.clear();
   work_of_drives_ = 0;
 }

@@ -34,6 +34,7 @@ void World<Dof>::step_softly(double h) {
     clock_.run(Stage::integrate, [&] { integrate_positions(h_part); });
     clock_.run(Stage::solve, [&] { sweep_rigid_rows(h_part); });
     if constexpr (Dof == 6) part_limits_from_motors(h_part);
+    force_of_drives_ = force_of_drives(h_part);
     add_work_of_soft_drives(h_part);
     end_step(h_part);
   }

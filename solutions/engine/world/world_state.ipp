@@ -81,7 +81,7 @@ void World<Dof>::state(StateStream& s) {
     constraints_.friction);
   s(V_, forces_, torques_, solved_, start_);
   s(steps_, time_, h_, half_step_back_, parts_, calm_steps_, parts_per_second_, gap_step_);
-  s(largest_load_, work_of_drives_);
+  s(largest_load_, work_of_drives_, force_of_drives_);
   s(pairs_, impacts_, row_updates_);
   settings_.solver.state(s);
 }
