@@ -168,6 +168,23 @@ TEST(Verdict, RedundantRowsThatShareAnImpulseWronglyAreSound) {
   EXPECT_NE(judged(chain, h, 0.1).state, State::sound);
 }
 
+TEST(Verdict, ABodyThatBeginsInTheFloorIsLiftedAndSound) {
+  // The contact lifts it by its depth, which takes m g times that. The check begins before the first step, or after it.
+  for (const bool begins : {true, false})
+    for (const double h : {1.0 / 30, 1.0 / 240}) {
+      World<6> world({.friction = 0.5});
+      world.add_plane(Vec3::UnitZ(), 0);
+      world.add({.x = Vec3(0, 0, 0.3), .mass = 1, .half_sides = Vec3::Constant(0.5)});
+      RunCheck<6> check;
+      for (int n = 0; n < 2 / h; ++n) {
+        if (begins) check.begin_step(world);
+        world.step(h);
+        check.look(world, h);
+      }
+      EXPECT_EQ(check.verdict().state, State::sound) << check.verdict().reason << ", h " << h;
+    }
+}
+
 TEST(Verdict, AMotionThatHasEndedIsSolved) {
   // A motor stops at its limit. What is left of the motion is round-off of round-off, which no solver resolves.
   for (const double h : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {

@@ -70,16 +70,17 @@ static bool may_stop(const Joint& joint) {
   return joint.limits || joint.kind == JointKind::rope;
 }
 
-/// Returns ½ k gap² of all closed contacts with a k of their own [J]. Others, and those of soft steps, leave no speed:
-/// engine/solvers/recovery.hpp.
+/// Returns the energy that closed contacts may give [J]: ½ k gap². Contacts without a k of their own leave no speed, but
+/// they lift what lies on them out of an overlap, by at most the sum of all forces, `load` [N]. 0 with soft steps.
 template <int Dof>
-static double energy_of_contacts(const World<Dof>& world) {
+static double energy_of_contacts(const World<Dof>& world, double load) {
   if (world.settings().soft_steps) return 0;
   double energy = 0;
   for (const Contact& contact : world.contacts()) {
-    const double k = world.materials().of(contact.i, contact.j).k;
+    if (contact.gap >= 0) continue;
+    const double k = world.materials().of(contact.i, contact.j).k, stored = k * contact.gap * contact.gap / 2;
     const bool is_spring = world.settings().k || k < world.contact_stiffness();
-    if (contact.gap < 0 && is_spring) energy += k * contact.gap * contact.gap / 2;
+    energy += is_spring ? stored : std::min(stored, -contact.gap * load);
   }
   return energy;
 }
@@ -373,7 +374,7 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
   const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
   had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
   may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
-  if (first_) springs_ = energy_of_contacts(world) + energy_at_start(world);
+  if (first_) springs_ = energy_of_contacts(world, lift) + energy_at_start(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;
   const double size = largest_size(sizes_, world.joints());
