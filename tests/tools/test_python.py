@@ -259,7 +259,8 @@ class Worlds(WithModule):
         np.testing.assert_allclose(world.joint_speed(hinge), 0.5, rtol=1e-9)  # in a third of a second
         world.step(h, steps=900)
         np.testing.assert_allclose(world.joint_position(hinge), 2, atol=1e-9)  # no motor drives past a limit, Eq. (13.17)
-        np.testing.assert_allclose([world.motor_force(hinge), world.limit_force(hinge)], 0, atol=1e-9)  # it waits there
+        # It presses on the limit with its strength.
+        np.testing.assert_allclose([world.motor_force(hinge), world.limit_force(hinge)], [3, -3], atol=1e-9)
         world.set_motor(hinge, (-1, 1))
         world.step(h, steps=100)
         np.testing.assert_allclose(world.joint_speed(hinge), -1, rtol=1e-9)
