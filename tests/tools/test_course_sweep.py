@@ -663,9 +663,9 @@ class Runs(unittest.TestCase):
         return whole
 
     def test_a_file_has_parameters_that_sweep(self):
-        scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {
-                     "until": {"default": 1, "unit": "s", "meaning": "when it is looked at"},
-                     "g": {"default": "-981/100", "unit": "m/s²"}, "height": {"default": 0}},
+        scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": 1, "parameters": {
+                     "g": {"default": "-981/100", "unit": "m/s²", "meaning": "pull of the planet"},
+                     "height": {"default": 0}},
                  "settings": {"gravity": [0, 0, "$g"]}, "half_step_start": True,
                  "bodies": [{"x": [0, 0, "$height"], "mass": 1}],
                  "expected": [{"body": 0, "time": 1, "x": [0, 0, -4.905], "tolerance": 1e-9}]}
@@ -676,9 +676,10 @@ class Runs(unittest.TestCase):
         self.assertLess(errors[0], 1)
         for error, off in zip(errors[1:], (1, 4.905, 5.905)):
             self.assertAlmostEqual(error * 1e-9, off, places=8)
-        self.assertIn("when it is looked at", self.box.course("scenes", "fall.json").stdout)
-        for change, words in (({"h": "$step"}, ['h names no parameter of the file: "$step"']),
-                              ({"h": "$heigth", "bodies": []}, ['did you mean "height"']),
+        self.assertIn("pull of the planet", self.box.course("scenes", "fall.json").stdout)
+        for change, words in (({"h": "$step"}, ["h must be a number, which --h changes"]),
+                              ({"settings": {"gravity": [0, 0, "$q"]}}, ['gravity[2] names no parameter of the file: "$q"']),
+                              ({"settings": {"gravity": [0, 0, "$heigth"]}}, ['did you mean "height"']),
                               ({"bodies": [{"x": [0, 0, 0]}]}, ["parameters.height is used nowhere"]),
                               ({"parameters": {"h": {"default": 1}}}, ["parameters.h must have another name"]),
                               ({"parameters": {"g": {"defautl": 1}}}, ["parameters.g.defautl is unknown"]),

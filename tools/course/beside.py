@@ -1,6 +1,6 @@
 """Handles --beside: further runs of a scene, each with a change."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from errors import BadInput
@@ -80,7 +80,7 @@ def require_free(words: list[str], name: str, parameters: Collection[str]) -> No
         raise BadInput(f"run: {name} is swept, so {given} has no effect: leave one of them out")
 
 
-def value_of(option: str, words: list[str]) -> str | None:
+def value_of(option: str, words: Sequence[str]) -> str | None:
     """Returns the value of an option in a command line; None if it is missing."""
     for k, word in enumerate(words):
         if word.startswith(f"{option}="):

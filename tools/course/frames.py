@@ -4,6 +4,7 @@ import json
 import subprocess
 from fractions import Fraction
 
+from beside import value_of
 from engine import program
 
 ENOUGH = 150  # frames
@@ -13,13 +14,13 @@ _USUAL = 60  # a second of simulated time
 def with_frames(words: tuple[str, ...]) -> list[str]:
     """Adds --fps to a run's words if a usual film of it would be short, and a longer --time if the run has too few
     steps. Options that were typed stay."""
-    if _value(words, "--fps") is not None:
+    if value_of("--fps", words) is not None:
         return list(words)
     scene = _defaults(words[0])
-    time = _number(_value(words, "--time"), scene.get("time", 0))
-    h = _number(_value(words, "--h"), scene.get("h", 0))
+    time = _number(value_of("--time", words), scene.get("time", 0))
+    h = _number(value_of("--h", words), scene.get("h", 0))
     more: list[str] = []
-    if h > 0 and time < ENOUGH * h and _value(words, "--time") is None:
+    if h > 0 and time < ENOUGH * h and value_of("--time", words) is None:
         time = ENOUGH * h
         more = ["--time", f"{time:.9g}"]
     if 0 < time < ENOUGH / _USUAL:
@@ -31,15 +32,6 @@ def _defaults(scene: str) -> dict:
     """Returns the defaults listed by ./course scenes; empty for a scene file or an unknown scene."""
     done = subprocess.run([str(program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
     return json.loads(done.stdout)["scenes"][0] if done.returncode == 0 else {}
-
-
-def _value(words: tuple[str, ...], option: str) -> str | None:
-    for k, word in enumerate(words):
-        if word.startswith(f"{option}="):
-            return word.partition("=")[2]
-        if word == option and k + 1 < len(words):
-            return words[k + 1]
-    return None
 
 
 def _number(text: str | None, otherwise: float) -> float:

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/world/world.hpp"
 
 namespace spook {
 
 class LongSteps {
  public:
-  /// Looks at the step of `h` [s] that the world has just taken from positions `x`; it has the kinetic energy `T` [J] now.
-  /// Without a formula, `Settings::force`, it costs nothing.
+  /// Looks at the step of `h` [s] that the world has just taken from positions `x`. Without a formula, `Settings::force`, it costs nothing.
   template <int Dof>
-  void look(const World<Dof>& world, const std::vector<Vec3>& x, double h, double T) {
+  void look(const World<Dof>& world, const std::vector<Vec3>& x, double h) {
     const Settings<Dof>& settings = world.settings();
     if (!settings.force || settings.stepper || settings.integrator_order == 4) return;
     if (world.parts() > 1) {  // their forces and positions between are not known
@@ -32,13 +32,14 @@ class LongSteps {
     f_before_ = world.forces();
     x_before_ = x;
     steps_ = pull > 4 * inertia ? steps_ + 1 : 0;
+    const double T = kinetic_energy(bodies);
     if (steps_ == 1) T_before_ = T;
     grows_ = T > least_growth * T_before_;
     too_long_ = std::sqrt(pull / inertia) / 2;
   }
 
   /// Tells whether h ω exceeded 2 in ten steps in a row, in which bodies gained kinetic energy.
-  bool are_unstable() const { return steps_ >= most_steps && grows_; }
+  bool are_unstable() const { return steps_ >= least_steps && grows_; }
 
   /// The last step over the longest stable one.
   double too_long() const { return too_long_; }
@@ -46,7 +47,7 @@ class LongSteps {
   void state(StateStream& s) { s(steps_, T_before_, f_before_, x_before_); }
 
  private:
-  static constexpr int most_steps = 10;
+  static constexpr int least_steps = 10;
   static constexpr double least_growth = 1.1;
 
   int steps_ = 0;                          // consecutive steps with h ω > 2

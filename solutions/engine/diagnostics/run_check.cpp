@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "10_convergence/convergence.hpp"
-#include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/passing_points.hpp"
 #include "engine/diagnostics/tunnelling.hpp"
 #include "engine/diagnostics/understatement.hpp"
@@ -19,9 +18,7 @@ static constexpr double stalled_rate = 1 - 1e-4;  // of a solver that does not c
 static constexpr int least_history = 10;          // iterations that show its rate
 static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
-static constexpr double share_gained = 0.1;       // of the energy in the scene
 static constexpr double share_of_size = 0.01;
-static constexpr double unseen = 1e-8;     // a motion in a step, of the largest size, or in radians
 static constexpr double share_kept = 0.9;  // of a sag from step to step
 static constexpr double found_late = 2;    // overlap of a new contact over a size, which is half a thickness
 static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
@@ -65,26 +62,6 @@ static double smallest_size(const std::vector<double>& sizes, const std::vector<
   return std::isfinite(smallest) ? smallest : 0;
 }
 
-/// Tells whether a joint, beside its motor and spring, may take energy by intent: where a limit or a rope stops bodies.
-static bool may_stop(const Joint& joint) {
-  return joint.limits || joint.kind == JointKind::rope;
-}
-
-/// Returns the energy that closed contacts may give [J]: ½ k gap². Contacts without a k of their own leave no speed, but
-/// they lift what lies on them out of an overlap, by at most the sum of all forces, `load` [N]. 0 with soft steps.
-template <int Dof>
-static double energy_of_contacts(const World<Dof>& world, double load) {
-  if (world.settings().soft_steps) return 0;
-  double energy = 0;
-  for (const Contact& contact : world.contacts()) {
-    if (contact.gap >= 0) continue;
-    const double k = world.materials().of(contact.i, contact.j).k, stored = k * contact.gap * contact.gap / 2;
-    const bool is_spring = world.settings().k || k < world.contact_stiffness();
-    energy += is_spring ? stored : std::min(stored, -contact.gap * load);
-  }
-  return energy;
-}
-
 /// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
 template <int Dof>
 static double fastest_products(const World<Dof>& world) {
@@ -95,50 +72,33 @@ static double fastest_products(const World<Dof>& world) {
   return 2 * std::sqrt(longest * fastest);
 }
 
+/// Tells whether indices mean the same bodies as at the last check. A check whose state was just read, and which has no
+/// sizes yet, does not know how many bodies its world has removed.
 template <int Dof>
 bool RunCheck<Dof>::has_same_bodies(const World<Dof>& world) const {
-  return world.removals() == removals_ && world.bodies().size() == before_.size();
+  return (world.removals() == removals_ || sizes_.empty()) && world.bodies().size() == energy_.bodies();
 }
 
 template <int Dof>
 void RunCheck<Dof>::begin_step(const World<Dof>& world) {
-  if (sizes_.empty()) removals_ = world.removals();  // a state may have been read
   if (moved_ || !has_same_bodies(world) || world.steps() != last_step_) start(world);
 }
 
-/// Starts the energy balance with the world as it is.
+/// Begins to check with the world as it is.
 template <int Dof>
 void RunCheck<Dof>::start(const World<Dof>& world) {
   find_sizes(world);
   overlap_ = infinity;  // how bodies begin is not the step's doing
-  started_ = most_ = kinetic_energy(world.bodies());
-  given_ = 0;
-  springs_ = 0;
-  first_ = true;
   long_steps_ = {};
-  had_rows_ = false;
-  may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
-                   std::any_of(world.joints().begin(), world.joints().end(), may_stop);
   moved_ = false;
-  gaps_.clear();
-  for (const Joint& joint : world.joints()) {
-    const JointGap gap = gap_of(joint, world.bodies());
-    gaps_.push_back(gap.apart.squaredNorm());
-    gaps_.push_back(joint.is_guided() ? gap.turned.squaredNorm() : 0);
-  }
-  note_state(world);
+  energy_.start(world);
+  note_step(world);
 }
 
-/// Returns ½ k gap² of all joints with their gaps at the start [J]. A default k is known after the first step only.
 template <int Dof>
-double RunCheck<Dof>::energy_at_start(const World<Dof>& world) const {
-  double energy = 0;
-  for (std::size_t n = 0; n < world.joints().size() && 2 * n + 1 < gaps_.size(); ++n) {
-    const Joint& joint = world.joints()[n];
-    energy += *joint.k * gaps_[2 * n] / 2;
-    if (joint.is_guided()) energy += *joint.k_turn * gaps_[2 * n + 1] / 2;
-  }
-  return energy;
+void RunCheck<Dof>::note_step(const World<Dof>& world) {
+  last_step_ = world.steps();
+  removals_ = world.removals();
 }
 
 template <int Dof>
@@ -149,17 +109,8 @@ void RunCheck<Dof>::find_sizes(const World<Dof>& world) {
 }
 
 template <int Dof>
-void RunCheck<Dof>::note_state(const World<Dof>& world) {
-  last_step_ = world.steps();
-  removals_ = world.removals();
-  before_ = world.bodies().motion.W;
-  x_before_ = world.bodies().x;
-}
-
-template <int Dof>
 void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
-  if (sizes_.empty()) removals_ = world.removals();
   const bool goes_on = world.steps() == last_step_ + 1 && has_same_bodies(world);
   if (!goes_on) return start(world);
   if (sizes_.empty()) find_sizes(world);  // a state was read
@@ -174,11 +125,8 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
     overlap_ = overlap;
     return;
   }
-  const double T = kinetic_energy(world.bodies());
-  look_at_energy(world, h, T);
-  look_at_stability(world, h, T);
-  first_ = false;
-  note_state(world);
+  look_at_energy(world, h);
+  note_step(world);
 }
 
 template <int Dof>
@@ -288,7 +236,7 @@ void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
   for (std::size_t i = 0; i < bodies.size() && !moves; ++i) moves = !bodies.is_fixed(i);
   if (!moves) return note(Note::nothing_moves, "nothing can move: the world has no dynamic body");
   if (const auto tunnelling =
-          has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, x_before_, shapes_, sizes_))
+          has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, energy_.x_before(), shapes_, sizes_))
     note(Note::tunnelling, "body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
                                " m in a step, against body " + std::to_string(tunnelling->other) +
                                ", and contacts are found within " + text(tunnelling->detected_within) +
@@ -338,64 +286,23 @@ void RunCheck<Dof>::note(Note kind, const std::string& what) {
   verdict_.note += (verdict_.note.empty() ? "" : "; ") + what;
 }
 
-/// Returns the energy of a motion by 1e-8 of `size` [m] and by 1e-8 rad in a step of `h` [s]. Recovery leaves speeds of a
-/// tenth of that: engine/world/world_recovery.ipp.
 template <int Dof>
-static double energy_unseen(const Bodies<Dof>& bodies, double size, double h) {
-  const double turn = unseen / h, speed = turn * size;
-  double energy = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies.is_fixed(i)) continue;
-    energy += bodies.mass[i] * speed * speed / 2;
-    if constexpr (Dof == 6) energy += bodies.orientations.principal[i].maxCoeff() * turn * turn / 2;
-  }
-  return energy;
-}
-
-template <int Dof>
-void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
-  const Bodies<Dof>& bodies = world.bodies();
-  // Velocities are older than positions by the lag, so that the work between two of them is along x - lag v.
-  const double lag = world.velocity_lag(h), lag_before = first_ ? lag : lag_;
-  lag_ = lag;
-  double lift = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies.is_fixed(i)) continue;
-    const Vec3 v_before = before_[i].template head<3>(), v = bodies.motion.W[i].template head<3>();
-    const Vec3& force = world.forces()[i];
-    given_ += force.dot(bodies.x[i] - x_before_[i] - lag * v + lag_before * v_before);
-    if constexpr (Dof == 6)
-      if (!world.torques().empty())
-        given_ += h / 2 * world.torques()[i].dot((before_[i] + bodies.motion.W[i]).template tail<3>());
-    lift += force.norm();
-  }
-  given_ += world.work_of_drives();
-  // The contacts and rows of a stepper are its own.
-  const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
-  had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
-  may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
-  if (first_) springs_ = energy_of_contacts(world, lift) + energy_at_start(world);
-  most_ = std::max(most_, T);
-  const double gained = T - started_ - given_;
-  const double size = largest_size(sizes_, world.joints());
-  const double too_much =
-      share_gained * std::max({most_, lift * size, energy_unseen(bodies, size, h / world.parts())});
+void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h) {
+  long_steps_.look(world, energy_.x_before(), h);
+  energy_.add_step(world, h, largest_size(sizes_, world.joints()));
   const std::string too_long = "h is too long for what turns or swings here";
-  if (gained - springs_ > too_much)
+  if (energy_.gained_too_much())
     find(State::lost, world,
-         had_rows_ ? "constraints have brought in " + text(gained - springs_) + " J, and nothing else has"
-                   : "the steps have brought in " + text(gained - springs_) + " J: " + too_long);
-  if (may_dissipate_ || !(-gained > too_much)) return;
-  if (had_rows_)
-    note(Note::joints,
-         "joints have taken out " + text(-gained) + " J, and nothing else has: a shorter step takes out less");
-  else
-    find(State::lost, world, "the steps have taken out " + text(-gained) + " J: " + too_long);
-}
-
-template <int Dof>
-void RunCheck<Dof>::look_at_stability(const World<Dof>& world, double h, double T) {
-  long_steps_.look(world, x_before_, h, T);
+         energy_.had_rows()
+             ? "constraints have brought in " + text(energy_.gained()) + " J, and nothing else has"
+             : "the steps have brought in " + text(energy_.gained()) + " J: " + too_long);
+  if (energy_.lost_too_much() && !energy_.may_dissipate()) {
+    const std::string lost = "have taken out " + text(energy_.lost()) + " J";
+    if (energy_.had_rows())
+      note(Note::joints, "joints " + lost + ", and nothing else has: a shorter step takes out less");
+    else
+      find(State::lost, world, "the steps " + lost + ": " + too_long);
+  }
   if (long_steps_.are_unstable())
     find(State::lost, world,
          "the steps have brought in energy: h is " + text(long_steps_.too_long()) +

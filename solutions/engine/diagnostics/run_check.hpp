@@ -8,12 +8,9 @@
 //                - the gap of a joint exceeds the joint's size, in addition to the spring's sag under its load
 //                - contacts are too deep in ten steps in a row, and recover at less than half of SPOOK's rate; a thin,
 //                  fast body may be deep for a moment
-//                - constraints, or the steps themselves, added energy: more than a tenth of the largest of three, the
-//                  kinetic energy so far, the forces times the largest size, and the energy of a motion by 1e-8 of the
-//                  largest size and 1e-8 rad in a step, which is too slow to be seen
-//                - bodies without constraints lost as much
-//                - a force by a formula makes bodies swing, h ω > 2 in ten steps in a row, and they gain energy: leapfrog
-//                  is unstable there. What such a force does else counts as its work
+//                - constraints, or the steps themselves, added too much energy, or bodies without constraints lost as
+//                  much: energy_balance.hpp
+//                - steps are too long for a force by a formula, and bodies gain energy: long_steps.hpp
 //   a note     each of these, when it is first found:
 //                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
 //                  is too small for this load
@@ -29,8 +26,6 @@
 //   soft steps        are unsolved if this error moves bodies by more than a hundredth of the smallest size in a step
 //   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
 //                     speeds, too
-//   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of joints and springs at the start and the work of motors; Δx is a body's
-//                     way, so that the energy which lifts it out of an overlap counts
 //   SPOOK's rate      an overlap shrinks by the part a h = 4/(1 + 4 d) in a step, Eq. (3.4)
 //
 // A check costs about as much as a sweep. Runs for timing omit the check.
@@ -38,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/diagnostics/energy_balance.hpp"
 #include "engine/diagnostics/long_steps.hpp"
 #include "engine/world/world.hpp"
 
@@ -80,18 +76,16 @@ class RunCheck {
 
   void state(StateStream& s) {
     s(verdict_.state, verdict_.step, verdict_.time, verdict_.reason, verdict_.unsolved, verdict_.note);
-    s(noted_, last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, overlap_,
-      sagging_steps_, sag_, sagged_);
+    s(noted_, last_step_, moved_, deep_steps_, deepest_, overlap_, sagging_steps_, sag_, sagged_, fastest_);
+    energy_.state(s);
     long_steps_.state(s);
-    s(started_, given_, springs_, gaps_, most_, fastest_, before_, x_before_, lag_);
   }
 
  private:
   bool has_same_bodies(const World<Dof>& world) const;
   void start(const World<Dof>& world);
   void find_sizes(const World<Dof>& world);
-  void note_state(const World<Dof>& world);
-  double energy_at_start(const World<Dof>& world) const;
+  void note_step(const World<Dof>& world);
 
   struct Overlap {
     double share = 0;                  ///< over the smaller size of the two bodies
@@ -101,8 +95,7 @@ class RunCheck {
 
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);
-  void look_at_energy(const World<Dof>& world, double h, double T);
-  void look_at_stability(const World<Dof>& world, double h, double T);
+  void look_at_energy(const World<Dof>& world, double h);
   void look_at_motion(const World<Dof>& world);
   void look_at_joints(const World<Dof>& world, double h);
   void note_sag(const std::string& what, double sag, double size, const std::string& remedy);
@@ -114,28 +107,18 @@ class RunCheck {
   Verdict verdict_;
   unsigned noted_ = 0;  // a bit for each kind of note
   std::int64_t last_step_ = -1, removals_ = 0;
-  bool first_ = true;           // first step of the energy balance
-  bool moved_ = false;          // bodies were moved from outside since the last check
-  bool had_rows_ = false;       // since the energy balance started
-  bool may_dissipate_ = false;  // so far something else than joints could take energy
+  bool moved_ = false;  // bodies were moved from outside since the last check
+  EnergyBalance<Dof> energy_;
   LongSteps long_steps_;
-  int deep_steps_ = 0;              // consecutive steps with too deep contacts that do not recover
-  double deepest_ = 0;              // the largest overlap over its size in the last step
-  double overlap_ = infinity;       // the largest overlap of a contact over a size in the last step
-  int sagging_steps_ = 0;           // consecutive steps with too much sag
-  std::string sag_;                 // the sagging spring of the last step; empty if none
-  double sagged_ = 0;               // its sag over its size
-  double started_ = 0;              // kinetic energy at the start of the balance [J]
-  double given_ = 0;                // work of forces since the start [J]
-  double springs_ = 0;              // energy of springs at the start [J]
-  std::vector<double> gaps_;        // of each joint at the start: of its points, and of its angles, squared
-  double most_ = 0;                 // the largest kinetic energy so far [J]
-  double fastest_ = 0;              // the largest products of a row with velocities so far, for round-off [m/s]
-  double lag_ = 0;                  // from velocities to positions in the last step [s]
-  std::vector<Twist<Dof>> before_;  // velocities at the last check
-  std::vector<Vec3> x_before_;      // positions at the last check
-  std::vector<Shape> shapes_;       // of bodies
-  std::vector<double> sizes_;       // of bodies [m]
+  int deep_steps_ = 0;         // consecutive steps with too deep contacts that do not recover
+  double deepest_ = 0;         // the largest overlap over its size in the last step
+  double overlap_ = infinity;  // the largest overlap of a contact over a size in the last step
+  int sagging_steps_ = 0;      // consecutive steps with too much sag
+  std::string sag_;            // the sagging spring of the last step; empty if none
+  double sagged_ = 0;          // its sag over its size
+  double fastest_ = 0;         // the largest products of a row with velocities so far, for round-off [m/s]
+  std::vector<Shape> shapes_;  // of bodies
+  std::vector<double> sizes_;  // of bodies [m]
 };
 
 }  // namespace spook

@@ -1,6 +1,7 @@
 #include "engine/impacts/impact_joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/constraints/joint_rows.hpp"
 #include "engine/constraints/mechanisms.hpp"
@@ -28,28 +29,45 @@ std::vector<Joint> ImpactJoints<Dof>::of(const std::vector<std::size_t>& bodies)
   return all;
 }
 
-static constexpr double reached = 1e-6;  // [m or rad]
+static constexpr double reached = 1e-6;  // of an extent
+
+/// Returns the length of a rope, the range of a slider [m], or 1 rad for a hinge.
+static double extent_of(const Joint& joint) {
+  if (joint.length) return *joint.length;
+  const bool has_range = joint.kind == JointKind::slider && joint.limits;
+  const double range = has_range ? joint.limits->upper - joint.limits->lower : 1;
+  return std::isfinite(range) ? range : 1;
+}
+
+/// Makes the row of a joint one that takes impulses.
+template <int Dof>
+static void make_impulsive(const Joint& joint, double h, const Motion<Dof>& motion, Row<Dof>& row) {
+  const bool is_one_sided = row.lo == 0;  // a limit, or a rope
+  if (!is_one_sided) {
+    row.B = 0;
+    return;
+  }
+  const auto speed_of = [&](const std::vector<Twist<Dof>>& W) {
+    return row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]);
+  };
+  const double speed = speed_of(motion.W), change = speed_of(motion.Wf);
+  // Where it is not reached, B is -g/h - G (W + W_f): engine/constraints/joint_rows.cpp.
+  if (-h * (row.B + speed + change) > reached * extent_of(joint)) row.hi = 0;
+  row.B = -(speed + change / 2);
+}
 
 template <int Dof>
 std::vector<Row<Dof>> impact_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies) {
   std::vector<Row<Dof>> rows, taking;
   add_joint_rows(joints, h, bodies, rows);
-  auto first = rows.begin();
+  auto row = rows.begin();
   for (const Joint& joint : joints) {
-    taking.insert(taking.end(), first, first + joint.spring_row());
-    first += joint.rows();
-  }
-  const auto speed_of = [&](const Row<Dof>& row, const std::vector<Twist<Dof>>& of) {
-    return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
-  };
-  const Motion<Dof>& motion = bodies.motion;
-  for (Row<Dof>& row : taking) {
-    const bool is_one_sided = row.lo == 0;
-    const double u = speed_of(row, motion.W) + speed_of(row, motion.Wf) / 2;
-    // Where it is not reached, its B is -g/h - G (W + W_f): engine/constraints/joint_rows.cpp.
-    const double gap = -h * (row.B + speed_of(row, motion.W) + speed_of(row, motion.Wf));
-    if (is_one_sided && gap > reached) row.hi = 0;
-    row.B = is_one_sided ? -u : 0;
+    const auto end = row + joint.rows();
+    for (const auto drives = row + joint.spring_row(); row < drives; ++row) {
+      make_impulsive(joint, h, bodies.motion, *row);
+      taking.push_back(*row);
+    }
+    row = end;
   }
   return taking;
 }

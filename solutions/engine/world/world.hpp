@@ -311,7 +311,8 @@ class World {
   /// contacts() does not have it. A contact that bounces twice in a step is there twice.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
-  /// The changes of all velocities by the rows of the last step: V of chapter 04.
+  /// The changes of all velocities by the rows of the last part of a step, V of chapter 04. Without rows, and in soft steps
+  /// and steps of order four, they mean nothing.
   const std::vector<Twist<Dof>>& velocity_changes() const { return V_; }
 
   /// The joints; the impulse of one row of a joint in the last step [N s].
