@@ -88,7 +88,8 @@ Experiment experiment(Size size) {
     claims.at_most("a resting contact has the gap -mg/k for any h and d, to a relative 1e-9", worst("gap"),
                    1e-9);
     claims.at_most(
-        "after the first steps, each multiplies a violation by the larger root of Eq. (3.14), to 1 per cent",
+        "after the first steps, a step multiplies a violation on average by the larger modulus of the roots "
+        "(3.14), to 1 per cent",
         worst("decay"), 0.01);
     const Table stiff = table.where("what", "decay").where("k", 1e9);
     const auto factors = stiff.numbers("value"), d = stiff.numbers("d");

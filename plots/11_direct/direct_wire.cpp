@@ -213,7 +213,7 @@ Experiment experiment(Size size) {
     const auto found = towers.numbers("value"), held = towers.numbers("held");
     const auto boxes = towers.numbers("size"), ratio = towers.numbers("ratio");
     claims.at_most(
-        "for 1 to 100 boxes and mass ratios to 10⁶, a solve with friction at its bounds reaches 10⁻⁶ m/s in at "
+        "for 1 to 100 boxes and mass ratios to 10⁶, a solve with bounded friction reaches 10⁻⁶ m/s in at "
         "most 40 factorisations",
         *std::max_element(found.begin(), found.end()), 40);
     int unlike = 0, free = 0;

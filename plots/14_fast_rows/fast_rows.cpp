@@ -279,7 +279,7 @@ Experiment experiment(Size size) {
       return table.where("what", "rod").where("case", which).numbers("value");
     };
     const std::vector<double> blocks = of_rod("blocks");
-    claims.at_most("as a block the rod is solved by one update for any μ: the second sweep changes nothing",
+    claims.at_most("as a block of rows the rod takes one update for any μ: the second sweep changes nothing",
                    *std::max_element(blocks.begin(), blocks.end()), 2);
     claims.at_least("row by row the rod takes more than 50 sweeps at μ = 1", value("rod", "rows", 1), 50);
     claims.at_least("row by row it does not converge at μ = 3/2 and more", value("rod", "rows", 1.5), 1000);

@@ -13,7 +13,7 @@
 // goes on with another changes the angular momentum a little.
 //
 // With Σ = 0 the impulses at the corners of a box are not unique. So Σ is at most a thousandth of S_kk instead, which
-// leaves a thousandth of the speed that was stopped, inwards.
+// leaves a thousandth of the speed of approach, inwards.
 #include <functional>
 #include <vector>
 
