@@ -125,6 +125,42 @@ TEST(Verdict, ABodyThatIsTooFastForAStepIsNamed) {
   EXPECT_EQ(fired(3, 1.0 / 60, true).note, "");
 }
 
+TEST(Verdict, ABodyThatTurnsTooFastForAStepIsNamed) {
+  // A bat of 2 m by 0.1 m turns about its centre, past a ball of 50 mm in radius: contacts see 0.1 m.
+  const auto struck = [](double omega, double distance, bool driven) {
+    World<6> world({.gravity = Vec3::Zero()});
+    const double length = 1, thickness = 0.05;
+    const Vec3 half_sides(length, thickness, 0.2), turn = omega * Vec3::UnitZ();
+    if (driven) {
+      const int post = world.add_fixed(Vec3::Zero());
+      const int bat = world.add({.mass = 10, .omega = turn, .half_sides = half_sides});
+      world.add_joint({.i = post, .j = bat, .kind = JointKind::hinge, .motor = Motor{.speed = omega}});
+    } else {
+      const int bat = world.add_fixed(Vec3::Zero(), Cuboid{half_sides}, Quat::Identity());
+      world.set_velocity(bat, Vec3::Zero(), turn);
+    }
+    world.add({.x = distance * Vec3(std::cos(1), std::sin(1), 0), .mass = 1, .radius = 0.05});
+    return judged(world, 1.0 / 60, 0.1).note;
+  };
+  for (const bool driven : {false, true}) {
+    const std::string note = struck(60, 0.8, driven);
+    EXPECT_NE(note.find("0.8 m in a step, against body"), std::string::npos) << "1 rad at 0.8 m: " << note;
+    EXPECT_EQ(struck(6, 0.8, driven), "") << "80 mm in a step are seen";
+    EXPECT_EQ(struck(60, 1.2, driven), "") << "the bat does not reach so far";
+  }
+  // Bodies of a mechanism that turns as a whole do not meet. Nothing strikes a ball that only turns.
+  World<6> world({.gravity = Vec3::Zero()});
+  const Vec3 omega(0, 0, 40), half_sides(0.5, 0.05, 0.05), arm(0.6, 0, 0);
+  const int left =
+      world.add({.x = -arm, .v = omega.cross(-arm), .mass = 1, .omega = omega, .half_sides = half_sides});
+  const int right =
+      world.add({.x = arm, .v = omega.cross(arm), .mass = 1, .omega = omega, .half_sides = half_sides});
+  world.add_joint({.i = left, .j = right, .p_i = arm, .p_j = -arm, .kind = JointKind::weld});
+  world.add({.x = Vec3(0, 3, 0), .mass = 1, .radius = 0.5, .omega = 500 * Vec3::UnitZ()});
+  world.add({.x = Vec3(0, 4.2, 0), .mass = 1, .radius = 0.5});
+  EXPECT_EQ(judged(world, 1.0 / 60, 0.1).note, "");
+}
+
 TEST(Verdict, AnOverlapThatTheFirstStepMakesIsNamed) {
   // A ball is 200 m/s fast, and is found 24 radii deep in the floor. One that begins as deep is not the step's doing.
   const auto noted = [](double z, double v) {
@@ -253,6 +289,33 @@ TEST(Verdict, EnergyThatJointsTakeOutIsNamed) {
   const Verdict damped = swings(20);
   EXPECT_EQ(damped.state, State::sound);
   EXPECT_NE(damped.note.find("joints have taken out"), std::string::npos) << damped.note;
+}
+
+TEST(Verdict, VelocitiesThatContradictJointsAreNamed) {
+  // A rod that turns about its end at 1 rad/s has v = 1 m/s at its centre. Without it the hinge stops and starts things,
+  // (I + m r²) ω' = I ω: not by a lack of steps, and not by the motor, if there is one.
+  const auto turns = [](double v, bool driven) {
+    World<6> world({.gravity = Vec3::Zero()});
+    const int post = world.add_fixed(Vec3::Zero());
+    const int rod = world.add({.x = Vec3(1, 0, 0),
+                               .v = Vec3(0, v, 0),
+                               .mass = 1,
+                               .omega = Vec3(0, 0, 1),
+                               .half_sides = Vec3(1, 0.1, 0.1)});
+    Joint hinge{.i = post, .j = rod, .p_j = Vec3(-1, 0, 0), .kind = JointKind::hinge};
+    if (driven) hinge.motor = Motor{.speed = -1, .strength = 100};
+    world.add_joint(hinge);
+    return judged(world, 1.0 / 60, 0.5);
+  };
+  EXPECT_EQ(turns(1, false).note, "");
+  EXPECT_EQ(turns(1, true).note, "");
+  EXPECT_EQ(turns(1, true).state, State::sound);
+  EXPECT_EQ(turns(0, true).state, State::sound) << turns(0, true).reason;
+  const Verdict contradicts = turns(0, false);
+  EXPECT_EQ(contradicts.state, State::sound);
+  EXPECT_NE(contradicts.note.find("J at the start: the given velocities contradict them"), std::string::npos)
+      << contradicts.note;
+  EXPECT_EQ(contradicts.note.find("a shorter step"), std::string::npos) << contradicts.note;
 }
 
 TEST(Verdict, StepsThatLoseEnergyAreLost) {

@@ -1,12 +1,14 @@
 #include "random_scenes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "engine/bodies/conserved_quantities.hpp"
 #include "engine/diagnostics/run_check.hpp"
+#include "engine/support/disjoint_sets.hpp"
 #include "random_input.hpp"
 
 namespace spook::testing {
@@ -30,30 +32,51 @@ Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
   } else {
     body.omega = random.vector(4 / std::sqrt(3));
     body.q = random.rotation();
-    if (random.integer(0, 1)) {
-      body.radius = radius;
-      body.principal = solid_sphere_moments(body.mass, radius);
-    } else {
+    const int shape = random.integer(0, 2);
+    if (shape < 2) body.radius = radius;
+    if (shape == 1) {
+      body.radius = radius / 2;
+      body.half_length = radius / 2;
+      body.mass /= 5;  // about
+    }
+    if (shape == 2) {
       for (double& half : body.half_sides) half = random.uniform(0.5, 1) * room / 4;
       body.mass = density * 8 * body.half_sides.prod();
-      body.principal = solid_box_moments(body.mass, body.half_sides);
     }
   }
   return body;
 }
 
-/// Between the points' initial positions: no joint is stretched at the start.
+/// Gives a hinge or slider limits around its start, a spring, a motor, or none of them.
+void equip(Joint& joint, Random& random) {
+  if (!joint.has_free_axis()) return;
+  if (random.integer(0, 1)) joint.limits = JointLimits{-random.uniform(0, 0.5), random.uniform(0, 0.5)};
+  if (random.integer(0, 2) == 0)
+    joint.spring = Spring{.stiffness = random.log_uniform(1, 1e4), .damping = random.log_uniform(0.01, 100)};
+  if (random.integer(0, 2) == 0)
+    joint.motor = Motor{.speed = random.uniform(-3, 3), .strength = random.log_uniform(0.1, 1000)};
+}
+
+/// Between the points' initial positions: no joint is stretched at the start. Hinges, sliders and welds close no loop,
+/// since one with random axes is locked: a motor in it has nothing to turn. `sets` are bodies that joints connect.
 template <int Dof>
-void join(World<Dof>& world, Random& random, int i, int j) {
+void join(World<Dof>& world, Random& random, DisjointSets& sets, int i, int j) {
   Joint joint{.i = i, .j = j};
   const Vec3 apart = world.x(j) - world.x(i);
   if (Dof == 3 || random.integer(0, 1)) {
     joint.length = apart.norm();
+    joint.kind = random.integer(0, 1) ? JointKind::distance : JointKind::rope;
   } else if constexpr (Dof == 6) {
     const Vec3 middle = world.x(i) + random.uniform(0, 1) * apart;
     joint.p_i = orientation(world, i).conjugate() * (middle - world.x(i));
     joint.p_j = orientation(world, j).conjugate() * (middle - world.x(j));
+    joint.axis = random.vector_of_length(1, 1);
+    joint.kind = std::array{JointKind::ball, JointKind::hinge, JointKind::slider,
+                            JointKind::weld}[static_cast<std::size_t>(random.integer(0, 3))];
+    if (sets.find(i) == sets.find(j)) joint.kind = JointKind::ball;
+    equip(joint, random);
   }
+  sets.join(i, j);
   world.add_joint(joint);
 }
 
@@ -66,13 +89,16 @@ struct RandomScene {
   static RandomScene draw(Random& random) {
     Settings<Dof> settings;
     settings.gravity = Vec3(0, 0, random.integer(0, 3) ? -9.81 : 0);
-    settings.k = random.log_uniform(1e5, 1e9);
-    settings.d = random.uniform(1, 5);
+    const bool by_default = random.integer(0, 1) == 1;
+    if (!by_default) {
+      settings.k = random.log_uniform(1e5, 1e9);
+      settings.d = random.uniform(1, 5);
+    }
     if (random.integer(0, 3)) settings.friction = random.uniform(0, 1);
     if (random.integer(0, 1))
       settings.impacts = ImpactLaw{.restitution = random.uniform(0, 0.8), .friction = settings.friction};
     World<Dof> world(std::move(settings));
-    const double h = random.log_uniform(1.0 / 480, 1.0 / 120), room = 0.5;
+    const double h = random.log_uniform(1.0 / 480, by_default ? 1.0 / 30 : 1.0 / 120), room = 0.5;
     const bool floor = random.integer(0, 2) > 0;
     if (floor) world.add_plane(Vec3::UnitZ(), 0);
 
@@ -83,14 +109,15 @@ struct RandomScene {
       world.add(draw_body<Dof>(random, room * (cell + Vec3(0, 0, 0.6)), room));
     }
     bool free = !floor;
+    DisjointSets sets(first + bodies + 1);
     const int joints = random.integer(0, 1) ? random.integer(0, bodies) : 0;
     for (int n = 0; n < joints; ++n) {
       const int i = first + random.integer(0, bodies - 1), j = first + random.integer(0, bodies - 1);
-      if (i != j) join(world, random, i, j);
+      if (i != j) join(world, random, sets, i, j);
     }
     if (random.integer(0, 3) == 0) {
       const int anchor = world.add_fixed(room * Vec3(0.5, 0.5, 2.5));
-      join(world, random, anchor, first + random.integer(0, bodies - 1));
+      join(world, random, sets, anchor, first + random.integer(0, bodies - 1));
       free = false;
     }
     return {std::move(world), h, free};
@@ -111,6 +138,7 @@ class Watch {
   }
 
   Findings look() {
+    divided_ = divided_ || world().parts() > 1;
     look_at_rows();
     look_at_momentum();
     look_at_energy();
@@ -147,7 +175,8 @@ class Watch {
       add(row.i, row.Gi);
       add(row.j, row.Gj);
     }
-    if (world().report().impacts > 0) return;
+    // Without a given k velocities go on with the impulses of a second solve.
+    if (world().report().impacts > 0 || divided_ || !world().settings().k) return;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (bodies.is_fixed(b)) continue;
       const Vec3 v = bodies.motion.W[b].template head<3>(), was = before_[b].template head<3>();
@@ -162,10 +191,14 @@ class Watch {
   void look_at_momentum() {
     const Bodies<Dof>& bodies = world().bodies();
     for (std::size_t b = 0; b < bodies.size(); ++b) pushed_ += bodies.mass[b] * bodies.motion.W[b].norm();
-    for (const Row<Dof>& row : world().rows()) pushed_ += std::abs(row.lambda);
+    for (const Row<Dof>& row : world().rows()) pushed_ += world().parts() * std::abs(row.lambda);
     if (!scene_.free) return;
+    // In parts of steps gravity acts at other times, and velocities have another lag.
+    if (divided_ && !world().settings().gravity.isZero(0)) return;
     const Vec3 p = p0_ + mass_ * world().time() * world().settings().gravity;
-    compare("momentum", (momentum(bodies) - p).norm(), 10 * epsilon * pushed_);
+    // The impulses of second solves, without a given k, are not known; those of a mechanism may be larger.
+    const double roundings = world().settings().k ? 10 : 100;
+    compare("momentum", (momentum(bodies) - p).norm(), roundings * epsilon * pushed_);
     // Gravity acts at the position of a body before its drift: at x_n, or where a late impact has put it.
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const Vec3 x = bodies.x[b] - scene_.h * bodies.motion.W[b].template head<3>();
@@ -179,6 +212,7 @@ class Watch {
   bool keeps_angular_momentum() const {
     const auto is_ball_joint = [](const Joint& joint) { return !joint.length; };
     const std::vector<Joint>& joints = world().joints();
+    if (!world().settings().k) return false;  // positions move with a velocity that does not go on
     return Dof == 6 ||
            (world().settings().friction == 0 && std::none_of(joints.begin(), joints.end(), is_ball_joint));
   }
@@ -192,11 +226,16 @@ class Watch {
       given_ += force.dot(way);
       lift += force.norm() * 0.1;  // by the width of the smallest body
     }
+    given_ += world().work_of_drives();
     const double T = kinetic_energy(bodies);
     most_ = std::max(most_, T);
     if (world().steps() == 1)
       for (const Contact& contact : world().contacts())
         given_ += world().contact_stiffness() * std::pow(std::min(0.0, contact.gap), 2) / 2;
+    // Joints change the speeds of motors and springs in the first steps, so that their work in them is not known.
+    const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
+    const std::vector<Joint>& joints = world().joints();
+    if (world().steps() <= 5 && std::any_of(joints.begin(), joints.end(), is_driven)) given_ = T - started_;
     compare("energy", T - started_ - given_, share_gained * (most_ + lift));
   }
 
@@ -204,7 +243,8 @@ class Watch {
   Findings findings_;
   RunCheck<Dof> run_check_;
   std::vector<Twist<Dof>> before_;
-  Vec3 p0_, L_;  // the right values
+  Vec3 p0_, L_;           // the right values
+  bool divided_ = false;  // the engine has divided a step
   double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
 };
 

@@ -1,21 +1,25 @@
 #pragma once
 // Scenes drawn at random, each within sane ranges, and properties that hold in all of them.
 //
-//   bodies       1 to 8 balls and boxes of 0.12 to 0.25 m across, 200 to 5000 kg/m³, up to 1 m/s and 4 rad/s; or balls
-//                that do not turn
+//   bodies       1 to 8 balls, capsules and boxes of 0.06 to 0.25 m across, 200 to 5000 kg/m³, up to 1 m/s and 4 rad/s;
+//                or balls that do not turn
 //   around them  a floor, or nothing at all; with gravity, or without
-//   joints       distances and ball joints between neighbours, perhaps to a static point: chains, loops, or none
-//   numbers      friction to 1, restitution to 0.8, h from 1/480 to 1/120 s, k from 1e5 to 1e9 N/m, d from 1 to 5
+//   joints       of each kind between neighbours, perhaps to a static point: chains, loops, or none; hinges and sliders
+//                with limits, springs and motors, or without. Velocities at the start contradict them
+//   numbers      friction to 1, restitution to 0.8; in half of the scenes the default k and d, with h from 1/480 to
+//                1/30 s, in the others h from 1/480 to 1/120 s, k from 1e5 to 1e9 N/m, d from 1 to 5
 //
 // Checked after each step:
 //
 //   numbers      finite, and no SimulationDiverged
 //   bounds       lo <= λ <= hi, of every row
-//   solve        m Δv = h f + Gᵀ λ, up to round-off, of every body without an impact
+//   solve        m Δv = h f + Gᵀ λ, up to round-off, of every body without an impact; with a given k
 //   momentum     Σ m v = Σ m (v₀ + g t), up to round-off, if no body is static; impacts included
-//   angular      Σ x × m v + I ω = L₀ + Σ h x × m g, up to round-off, if each impulse acts at one point of both bodies
+//   angular      Σ x × m v + I ω = L₀ + Σ h x × m g, up to round-off, if each impulse acts at one point of both bodies;
+//                with a given k
 //   state        sound, by engine/diagnostics/run_check.hpp
-//   energy       T - T₀ - Σ h f·v - ½ k gap₀² <= a fraction of the total: constraints and impacts only dissipate
+//   energy       T - T₀ - Σ h f·v - the work of drives - ½ k gap₀² <= a fraction of the total: constraints and impacts
+//                only dissipate
 #include <cstdint>
 #include <map>
 #include <string>

@@ -75,11 +75,26 @@ double EnergyBalance<Dof>::energy_of_joints(const World<Dof>& world) const {
   return energy;
 }
 
+/// Leaves out what joints take from velocities at the start that contradict them. In a world with motors or springs all
+/// changes are left out: joints change the speeds of these, so that their work is not known.
+template <int Dof>
+void EnergyBalance<Dof>::leave_out_start(const World<Dof>& world) {
+  if (world.joints().empty()) return;
+  const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
+  if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) {
+    given_ = T_ - started_;
+  } else if (lost() > 0) {
+    if (world.contacts().empty()) contradicted_ += lost();
+    given_ = T_ - started_;
+  }
+}
+
 template <int Dof>
 void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double largest_size) {
   const Bodies<Dof>& bodies = world.bodies();
   // Velocities are older than positions by the lag, so that the work between two of them is along x - lag v.
-  const double lag = world.velocity_lag(h), lag_before = first_ ? lag : lag_;
+  const bool first = steps_ == 0;
+  const double lag = world.velocity_lag(h), lag_before = first ? lag : lag_;
   lag_ = lag;
   double load = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -97,9 +112,10 @@ void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double larg
   const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
   had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
   may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
-  if (first_) springs_ = energy_of_contacts(world, load) + energy_of_joints(world);
-  first_ = false;
   T_ = spook::kinetic_energy(bodies);
+  if (first) springs_ = energy_of_contacts(world, load) + energy_of_joints(world);
+  if (steps_ < steps_of_start) leave_out_start(world);
+  steps_ = std::min(steps_ + 1, steps_of_start);
   most_ = std::max(most_, T_);
   too_much_ = share_too_much *
               std::max({most_, load * largest_size, energy_unseen(bodies, largest_size, h / world.parts())});

@@ -117,7 +117,7 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (moved_) overlap_ = infinity;
   look_at_solve(world, h / world.parts());
   look_at_gaps(world, h / world.parts());
-  if (!moved_) look_at_motion(world);
+  if (!moved_) look_at_motion(world, h);
   // The energy that a kinematic body adds in an impact is unknown.
   if (moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0)) {
     const double overlap = overlap_;
@@ -230,13 +230,13 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
 }
 
 template <int Dof>
-void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
+void RunCheck<Dof>::look_at_motion(const World<Dof>& world, double h) {
   const Bodies<Dof>& bodies = world.bodies();
   bool moves = world.has_kinematic_bodies();
   for (std::size_t i = 0; i < bodies.size() && !moves; ++i) moves = !bodies.is_fixed(i);
   if (!moves) return note(Note::nothing_moves, "nothing can move: the world has no dynamic body");
   if (const auto tunnelling =
-          has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, energy_.x_before(), shapes_, sizes_))
+          has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, energy_.x_before(), shapes_, sizes_, h))
     note(Note::tunnelling, "body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
                                " m in a step, against body " + std::to_string(tunnelling->other) +
                                ", and contacts are found within " + text(tunnelling->detected_within) +
@@ -290,6 +290,9 @@ template <int Dof>
 void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h) {
   long_steps_.look(world, energy_.x_before(), h);
   energy_.add_step(world, h, largest_size(sizes_, world.joints()));
+  if (energy_.contradicted_too_much())
+    note(Note::contradiction, "joints have taken out " + text(energy_.contradicted()) +
+                                  " J at the start: the given velocities contradict them");
   const std::string too_long = "h is too long for what turns or swings here";
   if (energy_.gained_too_much())
     find(State::lost, world,

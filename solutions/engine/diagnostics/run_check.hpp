@@ -18,6 +18,7 @@
 //                - a body of points passes through another body: passing_points.hpp
 //                - bodies overlap by more than the thickness of one when their contact is found, and did not before
 //                - joints removed more energy than may be added, and nothing else in the world removes energy
+//                - given velocities contradict joints, which took that much energy at the start
 //                - nothing can move
 //
 //   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp. 0 if
@@ -96,10 +97,10 @@ class RunCheck {
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);
   void look_at_energy(const World<Dof>& world, double h);
-  void look_at_motion(const World<Dof>& world);
+  void look_at_motion(const World<Dof>& world, double h);
   void look_at_joints(const World<Dof>& world, double h);
   void note_sag(const std::string& what, double sag, double size, const std::string& remedy);
-  enum class Note { sag, tunnelling, points, late, joints, nothing_moves };
+  enum class Note { sag, tunnelling, points, late, joints, contradiction, nothing_moves };
   bool has(Note kind) const { return (noted_ >> static_cast<unsigned>(kind) & 1u) != 0; }
   void note(Note kind, const std::string& what);
   void find(State state, const World<Dof>& world, const std::string& reason);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "engine/constraints/mechanisms.hpp"
 
 namespace spook {
 
@@ -16,15 +19,19 @@ static Vec3 half_sides_of(const Shape& shape) {
       [](const PointSet&) -> Vec3 { return Vec3::Zero(); });
 }
 
-/// Tells whether the way from `start` to `end` enters the shape from outside, all in the shape's axes. A capsule counts
-/// as its box.
+/// Tells whether the shape contains a point in its axes. A capsule counts as its box.
+static bool contains(const Shape& shape, const Vec3& x) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return x.norm() <= sphere->radius;
+  return (x.cwiseAbs().array() <= half_sides_of(shape).array()).all();
+}
+
+/// Tells whether the straight way from `start`, outside the shape, to `end` enters it, all in the shape's axes.
 static bool enters(const Shape& shape, const Vec3& start, const Vec3& end) {
   const Vec3 half = half_sides_of(shape), way = end - start;
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
     const double nearest = std::clamp(-start.dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return start.norm() > sphere->radius && (start + nearest * way).norm() < sphere->radius;
+    return (start + nearest * way).norm() < sphere->radius;
   }
-  if ((start.cwiseAbs().array() <= half.array()).all()) return false;
   double in = 0, out = 1;  // the part of the way inside all slabs
   for (int axis = 0; axis < 3; ++axis) {
     if (way[axis] == 0) {
@@ -38,27 +45,65 @@ static bool enters(const Shape& shape, const Vec3& start, const Vec3& end) {
   return in < out;
 }
 
+/// Returns the turn of a body in the last step, as a rotation vector in world coordinates [rad]. That of a sphere moves
+/// nothing.
 template <int Dof>
-static Vec3 in_axes_of(const Bodies<Dof>& bodies, std::size_t body, const Vec3& x) {
+static Vec3 turn_of(const Bodies<Dof>& bodies, std::size_t body, const Shape& shape, double h) {
   if constexpr (Dof == 6)
-    return bodies.orientations.q[body].conjugate() * x;
-  else
-    return x;
+    if (!std::holds_alternative<Sphere>(shape)) return h * bodies.motion.W[body].template tail<3>();
+  return Vec3::Zero();
+}
+
+/// Returns points on the way from `start` to `end`, relative to a body, in the body's axes: two, or more if it turns by
+/// more than a tenth of a radian. More than one turn is as one.
+template <int Dof>
+static std::vector<Vec3> way_beside(const Bodies<Dof>& bodies, std::size_t body, const Vec3& start,
+                                    const Vec3& end, const Vec3& turn) {
+  if constexpr (Dof == 3) {
+    return {start, end};
+  } else {
+    const Quat to_axes = bodies.orientations.q[body].conjugate();
+    const double angle = std::min(turn.norm(), 2 * std::numbers::pi);
+    const Vec3 axis = angle > 0 ? turn.normalized() : Vec3::UnitX();
+    const int parts = 1 + static_cast<int>(angle / 0.1);
+    std::vector<Vec3> way;
+    for (int k = 0; k <= parts; ++k) {
+      const double done = static_cast<double>(k) / parts;
+      const Quat turns_left(Eigen::AngleAxisd((1 - done) * angle, axis));
+      way.push_back(to_axes * (turns_left * (start + done * (end - start))));
+    }
+    return way;
+  }
+}
+
+/// Returns the length of a way that enters the shape from outside; 0 if it does not.
+static double length_if_it_enters(const Shape& shape, const std::vector<Vec3>& way) {
+  if (contains(shape, way.front())) return 0;
+  double length = 0;
+  bool in = false;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    length += (way[k] - way[k - 1]).norm();
+    in = in || enters(shape, way[k - 1], way[k]);
+  }
+  return in ? length : 0;
 }
 
 template <int Dof>
 std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::vector<Vec3>& before,
-                                          const std::vector<Shape>& shapes, const std::vector<double>& sizes) {
+                                          const std::vector<Shape>& shapes, const std::vector<double>& sizes,
+                                          double h) {
   const Bodies<Dof>& bodies = world.bodies();
   // Soft steps look for contacts once in a step, others in each part.
   const double searches = world.settings().soft_steps ? 1 : world.parts();
-  const auto is_fast = [&](std::size_t i) { return (bodies.x[i] - before[i]).norm() > searches * sizes[i]; };
   std::vector<int> solids;
+  std::vector<Vec3> turns;
   bool any = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (half_sides_of(shapes[i]).isZero(0)) continue;
+    turns.push_back(turn_of(bodies, i, shapes[i], h));
+    const double far = half_sides_of(shapes[i]).norm();
+    if (far == 0) continue;
     solids.push_back(static_cast<int>(i));
-    any = any || is_fast(i);
+    any = any || (bodies.x[i] - before[i]).norm() + turns[i].norm() * far > searches * sizes[i];
   }
   if (!any) return {};
   std::vector<Bounds> ways;
@@ -66,16 +111,22 @@ std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::ve
     const Vec3 far = Vec3::Constant(half_sides_of(shapes[i]).norm());
     ways.push_back({bodies.x[i].cwiseMin(before[i]) - far, bodies.x[i].cwiseMax(before[i]) + far});
   }
+  Mechanisms<Dof> mechanisms(world.joints(), bodies);
   for (const Pair& pair : sweep_and_prune(ways)) {
     const int i = solids[pair.first], j = solids[pair.second];
+    if (world.shapes().exclusions.excludes(i, j)) continue;
     const Vec3 start = before[i] - before[j], end = bodies.x[i] - bodies.x[j];
-    const double way = (end - start).norm() / searches, detected_within = sizes[i] + sizes[j];
-    if (way <= detected_within || world.shapes().exclusions.excludes(i, j)) continue;
-    const auto meets = [&](int other, const Vec3& from, const Vec3& to) {
+    const double reach = std::max(start.norm(), end.norm()), detected_within = sizes[i] + sizes[j];
+    const double angle = std::max(turns[i].norm(), turns[j].norm());
+    if ((end - start).norm() + angle * reach <= searches * detected_within) continue;
+    const bool turn = !mechanisms.connect(i, j);
+    const auto length = [&](int other, const Vec3& from, const Vec3& to) {
       const auto at = static_cast<std::size_t>(other);
-      return enters(shapes[at], in_axes_of(bodies, at, from), in_axes_of(bodies, at, to));
+      const Vec3 by = turn ? turns[at] : Vec3(Vec3::Zero());
+      return length_if_it_enters(shapes[at], way_beside(bodies, at, from, to, by));
     };
-    if (!meets(j, start, end) && !meets(i, -start, -end)) continue;
+    const double way = std::max(length(j, start, end), length(i, -start, -end)) / searches;
+    if (way <= detected_within) continue;
     const bool i_moves = !bodies.is_fixed(static_cast<std::size_t>(i));
     return Tunnelling{.body = i_moves ? i : j,
                       .other = i_moves ? j : i,
@@ -87,8 +138,10 @@ std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::ve
 }
 
 template std::optional<Tunnelling> find_tunnelling<3>(const World<3>&, const std::vector<Vec3>&,
-                                                      const std::vector<Shape>&, const std::vector<double>&);
+                                                      const std::vector<Shape>&, const std::vector<double>&,
+                                                      double);
 template std::optional<Tunnelling> find_tunnelling<6>(const World<6>&, const std::vector<Vec3>&,
-                                                      const std::vector<Shape>&, const std::vector<double>&);
+                                                      const std::vector<Shape>&, const std::vector<double>&,
+                                                      double);
 
 }  // namespace spook

@@ -1,13 +1,13 @@
 #pragma once
 // Tunnelling: a body is so fast that it may pass through another between two searches for contacts.
 //
-//   way               of i relative to j in a step [m]
+//   way               of i relative to j in a step [m], in the axes of j, which turn
 //   detected_within   the sum of both sizes [m]: within it the bodies have a contact, which pushes the right way
 //   tunnelling        way > detected_within, and the centre of one moves into the shape of the other
 //
 // Candidates are pairs of solids whose bounds along the way overlap, found by sweep and prune, Eq. (8.12). Without a
-// body that moves by more than its own size there is no search. Nothing passes a plane, which is a half-space. Bodies
-// do not turn on their way here.
+// body that moves or turns by more than its own size there is no search. Nothing passes a plane, which is a half-space.
+// A mechanism turns as a whole, so its bodies count as turning only relative to others.
 #include <optional>
 #include <vector>
 
@@ -21,10 +21,11 @@ struct Tunnelling {
   double longest_step;          ///< the longest step that would find the contact, over this step
 };
 
-/// Returns the first tunnelling body of the last step. `before` are the positions before it, `shapes` and `sizes` those
-/// of the bodies.
+/// Returns the first tunnelling body of the last step, of `h` [s]. `before` are the positions before it, `shapes` and
+/// `sizes` those of the bodies.
 template <int Dof>
 std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::vector<Vec3>& before,
-                                          const std::vector<Shape>& shapes, const std::vector<double>& sizes);
+                                          const std::vector<Shape>& shapes, const std::vector<double>& sizes,
+                                          double h);
 
 }  // namespace spook

@@ -424,7 +424,7 @@ class World {
   SolverInput<Dof> solver_input(std::vector<Twist<Dof>>& V, double h, const StopRule& stop);
   void warm_start_rows(double h);
   void solve_again(double h);
-  void add_work_of_drives();
+  void add_work_of_drives(const std::vector<Twist<Dof>>& V);
   double force_of_drives(double h) const;
   void part_limits_from_motors(double h) requires(Dof == 6);
   void update_kinematic_velocities(double h);

@@ -229,14 +229,14 @@ double World<Dof>::along_free(int joint, int row, double more) const {
   return 0;
 }
 
-/// Adds λ times the mean speed of the rows of motors and springs, after the solve; and of all rows at kinematic bodies,
-/// times the speed of these.
+/// Adds λ times the mean speed of the rows of motors and springs, after the solve for V; and of all rows at kinematic
+/// bodies, times the speed of these.
 template <int Dof>
-void World<Dof>::add_work_of_drives() {
+void World<Dof>::add_work_of_drives(const std::vector<Twist<Dof>>& V) {
   const std::vector<Twist<Dof>>& W = bodies_.motion.W;
   const auto add = [&](std::size_t joint, int of_joint) {
     const Row<Dof>& row = rows()[joint_rows_[joint] + static_cast<std::size_t>(of_joint)];
-    const auto both = [&](int body) { return Twist<Dof>(2 * W[body] + bodies_.motion.Wf[body] + V_[body]); };
+    const auto both = [&](int body) { return Twist<Dof>(2 * W[body] + bodies_.motion.Wf[body] + V[body]); };
     work_of_drives_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
   };
   for (std::size_t n = 0; n < joints_.size(); ++n) {

@@ -31,6 +31,7 @@ void World<Dof>::solve_again(double h) {
   const SolverResult solved = settings_.solver.solve(solver_input(V, h, stop));
   row_updates_ += solved.updates(rows().size());
   limit_energy(solver_input(V, h, stop), next_joint_row_, first_solve_, may_throw);
+  add_work_of_drives(V);  // these velocities go on
   restore(first_solve_, constraints_.rows);
   recovered_.resize(V.size());
   for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];

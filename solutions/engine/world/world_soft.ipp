@@ -169,7 +169,7 @@ void World<Dof>::add_work_of_soft_drives(double h) {
   if (joints_.empty() && kinematic_.empty()) return;
   soft_contacts_.return_rows(h, constraints_);
   for (std::size_t i = 0; i < V_.size(); ++i) V_[i] -= bodies_.motion.W[i] + bodies_.motion.Wf[i];
-  add_work_of_drives();
+  add_work_of_drives(V_);
 }
 
 /// Notes at which speed each contact with restitution approaches, as far as that makes an impact.
