@@ -64,6 +64,31 @@ TEST(FlushBoxes, KeepSpeedInAnyDirectionAtAnyStepAndSag) {
       }
 }
 
+TEST(FlushBoxes, KeepSpeedOfBodiesMuchLargerOrThinnerThanTheyAre) {
+  // A hundredth of the ball's width is a fortieth of a box's, and of the capsule's length a twenty-fifth of its radius.
+  const Quat lying(Eigen::AngleAxisd(std::acos(-1) / 2, Vec3(1, 0.4, 0).normalized()));
+  const Vec3 heading(std::cos(0.771), std::sin(0.771), 0);
+  for (const double rate : steps_per_second)
+    for (const bool is_ball : {true, false}) {
+      World<6> world({.k = 1e6});
+      for (int a = -1; a < 7; ++a)
+        for (int b = -1; b < 7; ++b) world.add_fixed_box(Vec3(a, b, -0.5), Vec3::Constant(0.5));
+      Body<6> body{.x = Vec3(0.1, 0.13, 0), .v = speed * heading};
+      body.radius = is_ball ? 1.25 : 0.075;
+      const double depth = is_ball ? 0.025 : 0.003;
+      if (!is_ball) {
+        body.half_length = 0.15;
+        body.q = lying;
+      }
+      body.x.z() = body.radius - depth;
+      body.mass = depth * (is_ball ? 1 : 2) * 1e6 / g;
+      const int slider = world.add(body);
+      for (int step = 0; step < 1.4 * rate; ++step) world.step(1 / rate);
+      expect_slides_on(world, slider, heading, true, depth,
+                       (is_ball ? "ball, " : "capsule, ") + std::to_string(rate) + " steps a second");
+    }
+}
+
 TEST(FlushBoxes, KeepSpeedBesideAPlane) {
   for (const Slider kind : {Slider::cube, Slider::ball, Slider::capsule})
     for (const double rate : steps_per_second)

@@ -88,7 +88,8 @@ bool is_ghost(int body, int other, const Vec3& n, const std::vector<Support>& su
     if (support.other == other || n.dot(support.m) >= parallel) return false;
     const double size = std::min(surfaces.size(body), surfaces.size(other)), most = size / 25;
     const double depth = std::max(0.0, -support.gap), face = surfaces.face_along(support.m, other);
-    return depth <= most && face > -infinity && face <= support.face + std::min(1e-3 * size + 2 * depth, most);
+    return depth <= surfaces.size(body) / 4 && face > -infinity &&
+           face <= support.face + std::min(1e-3 * size + 2 * depth, most);
   });
 }
 
