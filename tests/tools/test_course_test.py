@@ -16,6 +16,7 @@ from sandbox import ROOT
 
 import everything
 import mutants
+import slowest_tests
 from arguments import parse
 from tree import Tree
 
@@ -90,6 +91,8 @@ class Sets(unittest.TestCase):
                                    ["a", "mutant.01"])
         self.assertEqual(said, "Left out: 1 mutant.* (nothing changed), 1 hidden.* (likewise), 1 plot.*, hidden, tools.slurm, "
                                "all tests under sanitizers. ./course test --all runs them.")
+        self.assertTrue(everything.left_out(["a", "tools.stubs"], ["a"], ["tools.stubs"]).startswith(
+            "Left out: tools.stubs (nothing changed), all tests under sanitizers."))
         self.assertEqual(everything.left_out(["a"], ["a"]),
                          "Left out: all tests under sanitizers. ./course test --all runs them.")
 
@@ -102,6 +105,7 @@ class BuiltBesides(unittest.TestCase):
 
 class Command(unittest.TestCase):
     NOW = {"01_leapfrog": "a", "02_quaternions": "b"}
+    SLOWEST = {"tools.stubs": "a", "tools.course_run": "b"}
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -127,6 +131,7 @@ class Command(unittest.TestCase):
              mock.patch.object(everything, "names", lambda tree, some=None: ["a"] if some else ["a", "tools.slurm"]), \
              mock.patch.object(mutants, "digests", return_value=dict(self.NOW)), \
              mock.patch.object(mutants, "_changed_files", return_value=None), \
+             mock.patch.object(slowest_tests, "now", return_value=dict(self.SLOWEST)), \
              contextlib.redirect_stdout(io.StringIO()) as said:
             code = everything.test(parse(["test", *words]))
         self.assertEqual(code, 0 if ok else 1)
@@ -142,7 +147,16 @@ class Command(unittest.TestCase):
         self.NOW = self.NOW | {"02_quaternions": "c"}
         built, chosen, _ = self.run_test()
         self.assertIn(("check", ["fast", "mutants.02_quaternions"]), built)
-        self.assertEqual(chosen, [everything.selection(["fast", "mutants.02_quaternions"])])
+        self.assertEqual(chosen, [everything.selection(["fast", "mutants.02_quaternions"], list(self.SLOWEST))])
+
+    def test_the_slowest_run_until_all_is_green_and_then_where_something_changed(self):
+        every = ["fast", "mutants.01_leapfrog", "mutants.02_quaternions"]
+        self.assertEqual(self.run_test(ok=False)[1], [everything.selection(every)])
+        self.assertEqual(self.run_test()[1], [everything.selection(every)])
+        self.assertEqual(self.run_test()[1], [everything.selection(["fast"], list(self.SLOWEST))])
+        self.SLOWEST = self.SLOWEST | {"tools.stubs": "c"}
+        self.assertEqual(self.run_test()[1], [everything.selection(["fast"], ["tools.course_run"])])
+        self.assertEqual(self.run_test("--all", "--yes")[1], [None, None])
 
     def test_all_is_everything_in_every_tree(self):
         built, chosen, said = self.run_test("--all", "--yes")
@@ -150,6 +164,34 @@ class Command(unittest.TestCase):
         self.assertEqual(set(map(type, chosen)), {type(None)})
         self.assertNotIn("Left out", said)
         self.assertIn(("check", ["fast"]), self.run_test()[0])
+
+
+class Slowest(unittest.TestCase):
+    def test_each_is_a_fast_test_that_ctest_can_leave_out(self):
+        slowest = list(slowest_tests.now())
+        fast = everything.names(CHECK, everything.selection(["fast"]))
+        self.assertLess(set(slowest), set(fast))
+        self.assertEqual(everything.names(CHECK, everything.selection(["fast"], slowest)),
+                         [name for name in fast if name not in slowest])
+
+    def test_each_runs_again_if_one_of_its_files_has_changed(self):
+        every = list(slowest_tests.now())
+        with tempfile.TemporaryDirectory() as folder:
+            root, tree = Path(folder), SimpleNamespace(path=Path(folder))
+            for name, again in (("chapters/01_leapfrog/kick.cpp", every), ("solutions/04_gauss_seidel/sweep.cpp", every),
+                                ("tests/support/checks.hpp", every), ("tools/course/grading/class.py", every),
+                                ("tests/tools/sandbox.py", every), ("tests/submissions/a/kick.cpp", every),
+                                ("solutions/engine/world/world.cpp", ["tools.course_run"]),
+                                ("plots/run/draw.py", ["tools.course_run"]),
+                                ("tests/tools/test_stubs.py", ["tools.stubs"]), ("tests/tools/test_plots.py", []),
+                                ("tests/engine/world_test.cpp", []), ("README.md", [])):
+                slowest_tests.remember(tree, slowest_tests.now(root))
+                file = root / name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text("new", encoding="utf-8")
+                with self.subTest(name):
+                    unchanged = slowest_tests.unchanged(tree, slowest_tests.now(root))
+                    self.assertEqual([test for test in every if test not in unchanged], again)
 
 
 class Digests(unittest.TestCase):

@@ -2,11 +2,13 @@
 
 import re
 import subprocess
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
 import machine
 import mutants
+import slowest_tests
 from errors import CourseError
 from install import install, is_offered
 from manifest import read_chapters
@@ -44,18 +46,21 @@ def test(arguments) -> int:
 
 
 def _fast(strict: bool) -> int:
-    """Runs tests with the label `fast`, and the mutants of changed chapters."""
-    check, now = Tree("check"), mutants.digests()
+    """Runs tests with the label `fast`, and the mutants of changed chapters. The slowest tests are left out if their files
+    are those of the last green run."""
+    check, now, slowest = Tree("check"), mutants.digests(), slowest_tests.now()
     _build(Tree("release"), _IN_RELEASE, strict)
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
     _build(check, [*labels, *_graded(1)], strict)
-    chosen = selection(labels)
+    unchanged = slowest_tests.unchanged(check, slowest)
+    chosen = selection(labels, unchanged)
     outcome = _run(check, chosen)
     if outcome.ok:
         mutants.remember(check, now)
+        slowest_tests.remember(check, slowest)
     code = _report([outcome])
-    print(fold(left_out(names(check), names(check, chosen))))
+    print(fold(left_out(names(check), names(check, chosen), unchanged)))
     return code
 
 
@@ -77,13 +82,14 @@ def _everything(arguments) -> int:
     _install_if_offered(SLURM_NEEDS, "Slurm for the tests", arguments.yes)
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
-    now = mutants.digests()
+    now, slowest = mutants.digests(), slowest_tests.now()
     for tree, targets in ((release, [*_IN_RELEASE, "experiments", "spook_package"]), (check, ["all", *_graded()]),
                           (sanitize, [])):
         _build(tree, targets, arguments.strict)
     outcomes = [_run(tree) for tree in (check, sanitize)]
     if outcomes[0].ok:
         mutants.remember(check, now)
+        slowest_tests.remember(check, slowest)
     return _report(outcomes)
 
 
@@ -92,9 +98,10 @@ def _graded(chapters: int | None = None) -> list[str]:
     return [f"{side}_{chapter.folder}" for chapter in read_chapters()[:chapters] for side in ("grade", "answer")]
 
 
-def selection(labels: list[str]) -> list[str]:
-    """Returns ctest's arguments for tests with one of the labels."""
-    return ["-L", f"^({'|'.join(re.escape(label) for label in labels)})$"]
+def selection(labels: list[str], without: Collection[str] = ()) -> list[str]:
+    """Returns ctest's arguments for tests with one of the labels, without those of these names."""
+    chosen = ["-L", f"^({'|'.join(map(re.escape, labels))})$"]
+    return [*chosen, "-E", f"^({'|'.join(map(re.escape, without))})$"] if without else chosen
 
 
 def names(tree: Tree, chosen: list[str] | None = None) -> list[str]:
@@ -104,15 +111,17 @@ def names(tree: Tree, chosen: list[str] | None = None) -> list[str]:
     return _NAME.findall(listing)
 
 
-def left_out(every: list[str], run: list[str]) -> str:
+def left_out(every: list[str], run: list[str], unchanged: Collection[str] = ()) -> str:
     """Returns a line such as `Left out: 14 mutant.* (nothing changed), 31 plot.*, tools.slurm, ...`"""
     there = set(run)
     rest = [name for name in every if name not in there]
     said = []
-    for kind, why in (("mutant.", " (nothing changed)"), ("hidden.", " (likewise)"), ("plot.", "")):
+    kinds = {"mutant.": " (nothing changed)", "hidden.": " (likewise)", "plot.": ""}
+    for kind, why in kinds.items():
         count = sum(name.startswith(kind) for name in rest)
         said += [f"{count} {kind}*{why}"] if count else []
-    said += [name for name in rest if not name.startswith(("mutant.", "hidden.", "plot."))]
+    said += [f"{name} (nothing changed)" for name in rest if name in unchanged]
+    said += [name for name in rest if not name.startswith(tuple(kinds)) and name not in unchanged]
     return f"Left out: {', '.join([*said, 'all tests under sanitizers'])}. ./course test --all runs them."
 
 

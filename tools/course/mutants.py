@@ -7,15 +7,15 @@ mutants, those of the chapters whose headers these include, and what all chapter
 """
 
 import hashlib
-import json
-import os
 import re
 import subprocess
 from pathlib import Path
 
+from digests import digest, keep, of_last_run
 from paths import ROOT
 from tree import Tree
 
+_MEMORY = "mutants-killed.json"
 _SHARED = ("CMakeLists.txt", "CMakePresets.json", "solutions/CMakeLists.txt", "tests/CMakeLists.txt",
            "chapters/common/*", "tests/support/*", "tools/mutants/*.py", "tools/mutation/crowd.py",
            *(f"tools/course/{name}.py" for name in ("crash", "machine", "manifest", "marker", "symbols", "trial")))
@@ -28,20 +28,17 @@ def chapters(root: Path = ROOT) -> list[str]:
 
 def digests(root: Path = ROOT) -> dict[str, str]:
     """By chapter."""
-    shared = _digest(root, _shared(root))
-    return {chapter: hashlib.sha256(f"{shared} {_digest(root, _of(root, chapter))}".encode()).hexdigest()
+    shared = digest(root, _shared(root))
+    return {chapter: hashlib.sha256(f"{shared} {digest(root, _of(root, chapter))}".encode()).hexdigest()
             for chapter in chapters(root)}
 
 
 def changed(tree: Tree, now: dict[str, str], root: Path = ROOT) -> list[str]:
     """Returns the chapters whose digests differ from those of the tree's last green run; before the first, those of the
     changed files; without git, all."""
-    try:
-        known = json.loads(_memory(tree).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        known = None
-    if isinstance(known, dict):
-        return [chapter for chapter, digest in now.items() if known.get(chapter) != digest]
+    known = of_last_run(tree, _MEMORY)
+    if known is not None:
+        return [chapter for chapter, found in now.items() if known.get(chapter) != found]
     touched = _changed_files(root)
     # Whose a deleted file was, no file says.
     if touched is None or touched & set(_shared(root)) or not all(file.exists() for file in touched):
@@ -50,14 +47,7 @@ def changed(tree: Tree, now: dict[str, str], root: Path = ROOT) -> list[str]:
 
 
 def remember(tree: Tree, now: dict[str, str]) -> None:
-    """Keeps the digests of a green run. They are older than its build, so that a change during the run counts."""
-    new = _memory(tree).with_suffix(".new")
-    new.write_text(json.dumps(now, indent=2) + "\n", encoding="utf-8")
-    os.replace(new, _memory(tree))
-
-
-def _memory(tree: Tree) -> Path:
-    return tree.path / "mutants-killed.json"
+    keep(tree, _MEMORY, now)
 
 
 def _changed_files(root: Path) -> set[Path] | None:
@@ -100,10 +90,3 @@ def _of(root: Path, chapter: str) -> list[Path]:
         texts = [file.read_bytes() for file in theirs if file.is_file()]
         waiting |= {word.decode() for text in texts for word in _INCLUDED.findall(text)} - found
     return files
-
-
-def _digest(root: Path, files: list[Path]) -> str:
-    parts = hashlib.sha256()
-    for file in sorted(file for file in files if file.is_file()):
-        parts.update(f"{file.relative_to(root)}\0{hashlib.sha256(file.read_bytes()).hexdigest()}\n".encode())
-    return parts.hexdigest()
