@@ -65,7 +65,7 @@ TEST(FlushBoxes, KeepSpeedInAnyDirectionAtAnyStepAndSag) {
 }
 
 TEST(FlushBoxes, KeepSpeedOfBodiesMuchLargerOrThinnerThanTheyAre) {
-  // A hundredth of the ball's width is a fortieth of a box's, and of the capsule's length a twenty-fifth of its radius.
+  // A hundredth of the ball's width is a fortieth of a box's, and 3 mm are a twenty-fifth of the capsule's radius.
   const Quat lying(Eigen::AngleAxisd(std::acos(-1) / 2, Vec3(1, 0.4, 0).normalized()));
   const Vec3 heading(std::cos(0.771), std::sin(0.771), 0);
   for (const double rate : steps_per_second)

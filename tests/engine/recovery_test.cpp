@@ -175,7 +175,7 @@ TEST(Recovery, HoldsWhatIsJoined) {
 }
 
 /// A door of 2 m by 1 m by 0.1 m, its hinge at the edge of its long side, `beyond` its limit [rad].
-World<6> door(double beyond, std::optional<double> k_turn = {}) {
+World<6> door(double beyond, std::optional<double> k_turn = {}, std::optional<Motor> motor = {}) {
   World<6> world({.gravity = Vec3::Zero()});
   const int frame = world.add_fixed(Vec3::Zero());
   const Quat q(Eigen::AngleAxisd(0.5 + beyond, Vec3::UnitZ()));
@@ -188,7 +188,8 @@ World<6> door(double beyond, std::optional<double> k_turn = {}) {
                    .kind = JointKind::hinge,
                    .rest = Quat::Identity(),
                    .k_turn = k_turn,
-                   .limits = JointLimits{-0.5, 0.5}});
+                   .limits = JointLimits{-0.5, 0.5},
+                   .motor = motor});
   return world;
 }
 
@@ -214,6 +215,31 @@ TEST(Recovery, TurnsAHingeBackIntoItsRangeWithoutSpeed) {
       // The part φ of each closing speed is along the turn, so that beyond/φ steps leave closing/r times `beyond`.
       EXPECT_NEAR(last, 0.5, (1e-5 + 0.25 * h) * beyond) << "h = " << h << ", beyond " << beyond;
     }
+}
+
+TEST(Recovery, CountsAsWorkOnlyWhatVelocitiesGoOnWith) {
+  for (const double h : steps_to_try) {
+    // A plate moves upwards at u, and a box at rest overlaps it: in one step the box gets the speed u, by h F = m u.
+    World<6> world({.gravity = Vec3::Zero()});
+    const double u = 2, m = 3;
+    const int plate = world.add_fixed_box(Vec3(0, 0, -0.1), Vec3(1, 1, 0.1));
+    world.set_velocity(plate, u * Vec3::UnitZ());
+    const int box = world.add({.x = Vec3(0, 0, 0.15), .mass = m, .half_sides = Vec3::Constant(0.2)});
+    world.step(h);
+    EXPECT_NEAR(world.v(box).z(), u, 1e-2 * u) << "h = " << h;
+    EXPECT_NEAR(world.work_of_drives(), m * u * u, 1e-2 * m * u * u) << "h = " << h;
+  }
+  // A motor presses a door against the limit that it has exceeded. The door turns back, and leaves the motor no speed.
+  const double strength = 50;
+  World<6> world = door(0.3, {}, Motor{.speed = 1, .strength = strength});
+  double back = 0;
+  for (int n = 0; n < 30; ++n) {
+    const double before = world.joint_position(0);
+    world.step(1.0 / 60);
+    back += before - world.joint_position(0);
+    EXPECT_LE(std::abs(world.work_of_drives()), 1e-2 * strength * 0.3 / 30) << "step " << n;
+  }
+  EXPECT_GT(back, 0.2);
 }
 
 TEST(Recovery, ThrowsADoorWhoseLimitIsASpring) {

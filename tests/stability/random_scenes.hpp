@@ -7,19 +7,21 @@
 //   joints       of each kind between neighbours, perhaps to a static point: chains, loops, or none; hinges and sliders
 //                with limits, springs and motors, or without. Velocities at the start contradict them
 //   numbers      friction to 1, restitution to 0.8; in half of the scenes the default k and d, with h from 1/480 to
-//                1/30 s, in the others h from 1/480 to 1/120 s, k from 1e5 to 1e9 N/m, d from 1 to 5
+//                1/30 s, in the others h from 1/480 to 1/120 s, k from 1e5 to 1e9 N/m, and in half of these d from 1 to 5
 //
 // Checked after each step:
 //
 //   numbers      finite, and no SimulationDiverged
 //   bounds       lo <= λ <= hi, of every row
-//   solve        m Δv = h f + Gᵀ λ, up to round-off, of every body without an impact; with a given k
-//   momentum     Σ m v = Σ m (v₀ + g t), up to round-off, if no body is static; impacts included
+//   solve        m Δv = h f + Gᵀ λ, up to round-off, of every body without an impact; with a given k, and
+//                undivided steps
+//   momentum     Σ m v = Σ m (v₀ + g t), up to round-off, if no body is static; impacts included, and divided steps
+//                without gravity
 //   angular      Σ x × m v + I ω = L₀ + Σ h x × m g, up to round-off, if each impulse acts at one point of both bodies;
 //                with a given k
 //   state        sound, by engine/diagnostics/run_check.hpp
 //   energy       T - T₀ - Σ h f·v - the work of drives - ½ k gap₀² <= a fraction of the total: constraints and impacts
-//                only dissipate
+//                only dissipate; with motors or springs after the fifth step
 #include <cstdint>
 #include <map>
 #include <string>

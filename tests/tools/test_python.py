@@ -333,14 +333,14 @@ class Worlds(WithModule):
         ball = world.add(x=(0, 0, 0), v=(100, 0, 0), radius=0.1)
         saved = world.save()
         world.step(1 / 60)
-        self.assertIn(f"body {ball} moves by 1.67 m in a step, against body {wall}", world.note)
+        self.assertIn(f"body {ball} moves by 1.67 m in a step relative to body {wall}", world.note)
         world.restore(saved)
         world.place(ball, v=(0, 0, 0))
         world.step(1 / 60, steps=3)
         self.assertEqual(world.note, "")
         world.place(ball, v=(100, 0, 0))
         world.step(1 / 60)
-        self.assertIn(f"body {ball} moves by 1.67 m in a step, against body {wall}", world.note)
+        self.assertIn(f"body {ball} moves by 1.67 m in a step relative to body {wall}", world.note)
 
     def test_what_moves_bodies_from_outside_is_not_taken_for_a_mistake(self):
         world = box_on_plane()

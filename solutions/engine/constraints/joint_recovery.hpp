@@ -13,6 +13,7 @@
 // Recovery moves a gap g to (1 - a h) g, and leaves no speed that would bring it back. With the default d = 1/4 a h is
 // 2, so g would change its sign in each step for ever. Therefore the next step of such a mechanism has a relaxation of
 // at least 3/4: then a h = 4/(1 + 4 d) = 1, Eq. (3.4), and the gap closes.
+#include <optional>
 #include <vector>
 
 #include "engine/constraints/joints.hpp"
@@ -25,7 +26,8 @@ inline constexpr double closing_relaxation = 0.75;
 /// The row of a joint's limit, or of a rope, that is no spring.
 struct RigidLimit {
   std::size_t row;
-  double ignored;  ///< it recovers if it opens faster [m/s or rad/s]
+  double ignored;                         ///< it recovers if it opens faster [m/s or rad/s]
+  std::optional<std::size_t> motor = {};  ///< row of a motor that the limit makes return, too
 };
 
 /// The rows of joints that may recover.

@@ -144,12 +144,14 @@ static void add_guided_rows(const Joint& joint, double h, double d, const Bodies
   rows.push_back(motor_row(free, motor, h, motion));
 }
 
+bool limits_motor(const Joint& joint, double value, double h) {
+  return joint.motor && joint.limits && speed_within(joint, value, joint.motor->speed, h) != joint.motor->speed;
+}
+
 double impulse_of_limit(const Joint& joint, const Row<6>& motor_row, double speed, const Bodies<6>& bodies,
                         double h) {
   const Motor& motor = *joint.motor;
-  if (!joint.limits || !std::isfinite(motor.strength)) return 0;
-  const double value = free_coordinate(joint, bodies).value;
-  if (speed_within(joint, value, motor.speed, h) == motor.speed) return 0;
+  if (!std::isfinite(motor.strength) || !limits_motor(joint, free_coordinate(joint, bodies).value, h)) return 0;
   const double own = h * motor.viscosity * (motor.speed - speed);
   return motor_row.lambda - std::clamp(own, motor_row.lo, motor_row.hi);
 }

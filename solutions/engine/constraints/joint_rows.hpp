@@ -33,6 +33,9 @@ template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows, double least_d = 0);
 
+/// Tells whether a joint's limits change the speed that its motor aims at, at the free coordinate `value`, Eq. (13.17).
+bool limits_motor(const Joint& joint, double value, double h);
+
 /// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has lowered the speed of
 /// this row. Then the motor's part is that of Eq. (13.12) and (13.13) with its own desired speed, and the limit has the
 /// remainder. `speed`: G W at the end of the step. 0 for a motor of infinite strength, whose part would be infinite.

@@ -44,8 +44,9 @@ static double energy_unseen(const Bodies<Dof>& bodies, double size, double h) {
 }
 
 template <int Dof>
-void EnergyBalance<Dof>::start(const World<Dof>& world) {
+void EnergyBalance<Dof>::start(const World<Dof>& world, bool velocities_are_given) {
   *this = {};
+  if (velocities_are_given) settling_ = steps_to_settle;
   T_ = started_ = most_ = spook::kinetic_energy(world.bodies());
   may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
                    std::any_of(world.joints().begin(), world.joints().end(), may_stop);
@@ -63,38 +64,46 @@ void EnergyBalance<Dof>::note(const World<Dof>& world) {
   x_before_ = world.bodies().x;
 }
 
-/// Returns ½ k gap² of all joints with their gaps at the start [J]. A default k is known after the first step only.
+/// Returns ½ k gap² of all joints [J] with the squares of their gaps at the start. A default k is known after the first
+/// step only.
 template <int Dof>
-double EnergyBalance<Dof>::energy_of_joints(const World<Dof>& world) const {
+static double energy_of_joints(const World<Dof>& world, const std::vector<double>& gaps) {
   double energy = 0;
-  for (std::size_t n = 0; n < world.joints().size() && 2 * n + 1 < gaps_.size(); ++n) {
+  for (std::size_t n = 0; n < world.joints().size() && 2 * n + 1 < gaps.size(); ++n) {
     const Joint& joint = world.joints()[n];
-    energy += *joint.k * gaps_[2 * n] / 2;
-    if (joint.is_guided()) energy += *joint.k_turn * gaps_[2 * n + 1] / 2;
+    energy += *joint.k * gaps[2 * n] / 2;
+    if (joint.is_guided()) energy += *joint.k_turn * gaps[2 * n + 1] / 2;
   }
   return energy;
 }
 
-/// Leaves out what joints take from velocities at the start that contradict them. In a world with motors or springs all
-/// changes are left out: joints change the speeds of these, so that their work is not known.
+/// Returns the energy that joints with a k of their own store [J]: ½ k gap². Others give nothing back.
 template <int Dof>
-void EnergyBalance<Dof>::leave_out_start(const World<Dof>& world) {
-  if (world.joints().empty()) return;
-  const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
-  if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) {
-    given_ = T_ - started_;
-  } else if (lost() > 0) {
-    if (world.contacts().empty()) contradicted_ += lost();
-    given_ = T_ - started_;
+static double energy_stored(const World<Dof>& world) {
+  double energy = 0;
+  for (const Joint& joint : world.joints()) {
+    const JointGap gap = gap_of(joint, world.bodies());
+    if (!joint.has_default_k) energy += *joint.k * gap.apart.squaredNorm() / 2;
+    if (joint.is_guided() && !joint.has_default_k_turn) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
   }
+  return energy;
+}
+
+/// Counts apart what joints take from velocities at the start that contradict them, without what they store. They also
+/// change the speeds of motors and springs, so that the work of these is not known: it may seem to be a gain.
+template <int Dof>
+void EnergyBalance<Dof>::settle(const World<Dof>& world) {
+  const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
+  if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) given_ += std::max(0.0, gained());
+  if (world.joints().empty() || may_dissipate_) return;
+  contradicted_ = std::max(contradicted_, started_ + given_ - T_ - energy_stored(world));
 }
 
 template <int Dof>
 void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double largest_size) {
   const Bodies<Dof>& bodies = world.bodies();
   // Velocities are older than positions by the lag, so that the work between two of them is along x - lag v.
-  const bool first = steps_ == 0;
-  const double lag = world.velocity_lag(h), lag_before = first ? lag : lag_;
+  const double lag = world.velocity_lag(h), lag_before = first_ ? lag : lag_;
   lag_ = lag;
   double load = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -113,9 +122,10 @@ void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double larg
   had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
   may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
   T_ = spook::kinetic_energy(bodies);
-  if (first) springs_ = energy_of_contacts(world, load) + energy_of_joints(world);
-  if (steps_ < steps_of_start) leave_out_start(world);
-  steps_ = std::min(steps_ + 1, steps_of_start);
+  if (first_) springs_ = energy_of_contacts(world, load) + energy_of_joints(world, gaps_);
+  first_ = false;
+  if (settling_ > 0) settle(world);
+  settling_ = std::max(settling_ - 1, 0);
   most_ = std::max(most_, T_);
   too_much_ = share_too_much *
               std::max({most_, load * largest_size, energy_unseen(bodies, largest_size, h / world.parts())});

@@ -81,17 +81,17 @@ bool RunCheck<Dof>::has_same_bodies(const World<Dof>& world) const {
 
 template <int Dof>
 void RunCheck<Dof>::begin_step(const World<Dof>& world) {
-  if (moved_ || !has_same_bodies(world) || world.steps() != last_step_) start(world);
+  if (moved_ || !has_same_bodies(world) || world.steps() != last_step_) start(world, true);
 }
 
 /// Begins to check with the world as it is.
 template <int Dof>
-void RunCheck<Dof>::start(const World<Dof>& world) {
+void RunCheck<Dof>::start(const World<Dof>& world, bool velocities_are_given) {
   find_sizes(world);
   overlap_ = infinity;  // how bodies begin is not the step's doing
   long_steps_ = {};
   moved_ = false;
-  energy_.start(world);
+  energy_.start(world, velocities_are_given);
   note_step(world);
 }
 
@@ -112,7 +112,7 @@ template <int Dof>
 void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
   const bool goes_on = world.steps() == last_step_ + 1 && has_same_bodies(world);
-  if (!goes_on) return start(world);
+  if (!goes_on) return start(world, true);
   if (sizes_.empty()) find_sizes(world);  // a state was read
   if (moved_) overlap_ = infinity;
   look_at_solve(world, h / world.parts());
@@ -121,7 +121,8 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   // The energy that a kinematic body adds in an impact is unknown.
   if (moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0)) {
     const double overlap = overlap_;
-    start(world);
+    const bool moved = moved_;
+    start(world, moved);
     overlap_ = overlap;
     return;
   }
@@ -238,7 +239,7 @@ void RunCheck<Dof>::look_at_motion(const World<Dof>& world, double h) {
   if (const auto tunnelling =
           has(Note::tunnelling) ? std::nullopt : find_tunnelling(world, energy_.x_before(), shapes_, sizes_, h))
     note(Note::tunnelling, "body " + std::to_string(tunnelling->body) + " moves by " + text(tunnelling->way) +
-                               " m in a step, against body " + std::to_string(tunnelling->other) +
+                               " m in a step relative to body " + std::to_string(tunnelling->other) +
                                ", and contacts are found within " + text(tunnelling->detected_within) +
                                " m: steps shorter than " + text(tunnelling->longest_step) +
                                " of this one would find the contact");

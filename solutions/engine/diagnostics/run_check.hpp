@@ -84,7 +84,7 @@ class RunCheck {
 
  private:
   bool has_same_bodies(const World<Dof>& world) const;
-  void start(const World<Dof>& world);
+  void start(const World<Dof>& world, bool velocities_are_given);
   void find_sizes(const World<Dof>& world);
   void note_step(const World<Dof>& world);
 

@@ -45,12 +45,17 @@ static bool enters(const Shape& shape, const Vec3& start, const Vec3& end) {
   return in < out;
 }
 
-/// Returns the turn of a body in the last step, as a rotation vector in world coordinates [rad]. That of a sphere moves
-/// nothing.
+/// Returns the turn of a body in the last step, as a rotation vector in world coordinates [rad]. Turns that move nothing
+/// are left out: all those of a sphere, and those of a capsule about its axis.
 template <int Dof>
 static Vec3 turn_of(const Bodies<Dof>& bodies, std::size_t body, const Shape& shape, double h) {
-  if constexpr (Dof == 6)
-    if (!std::holds_alternative<Sphere>(shape)) return h * bodies.motion.W[body].template tail<3>();
+  if constexpr (Dof == 6) {
+    if (std::holds_alternative<Sphere>(shape)) return Vec3::Zero();
+    const Vec3 turn = h * bodies.motion.W[body].template tail<3>();
+    if (!std::holds_alternative<Capsule>(shape)) return turn;
+    const Vec3 axis = bodies.orientations.q[body] * Vec3::UnitZ();
+    return turn - turn.dot(axis) * axis;
+  }
   return Vec3::Zero();
 }
 
@@ -114,20 +119,20 @@ std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::ve
   Mechanisms<Dof> mechanisms(world.joints(), bodies);
   for (const Pair& pair : sweep_and_prune(ways)) {
     const int i = solids[pair.first], j = solids[pair.second];
-    if (world.shapes().exclusions.excludes(i, j)) continue;
+    const bool i_moves = !bodies.is_fixed(static_cast<std::size_t>(i)),
+               j_moves = !bodies.is_fixed(static_cast<std::size_t>(j));
+    if (!i_moves && !j_moves) continue;
+    if (world.shapes().exclusions.excludes(i, j) || mechanisms.connect(i, j)) continue;
     const Vec3 start = before[i] - before[j], end = bodies.x[i] - bodies.x[j];
     const double reach = std::max(start.norm(), end.norm()), detected_within = sizes[i] + sizes[j];
     const double angle = std::max(turns[i].norm(), turns[j].norm());
     if ((end - start).norm() + angle * reach <= searches * detected_within) continue;
-    const bool turn = !mechanisms.connect(i, j);
     const auto length = [&](int other, const Vec3& from, const Vec3& to) {
       const auto at = static_cast<std::size_t>(other);
-      const Vec3 by = turn ? turns[at] : Vec3(Vec3::Zero());
-      return length_if_it_enters(shapes[at], way_beside(bodies, at, from, to, by));
+      return length_if_it_enters(shapes[at], way_beside(bodies, at, from, to, turns[at]));
     };
     const double way = std::max(length(j, start, end), length(i, -start, -end)) / searches;
     if (way <= detected_within) continue;
-    const bool i_moves = !bodies.is_fixed(static_cast<std::size_t>(i));
     return Tunnelling{.body = i_moves ? i : j,
                       .other = i_moves ? j : i,
                       .way = way,

@@ -6,8 +6,8 @@
 //   tunnelling        way > detected_within, and the centre of one moves into the shape of the other
 //
 // Candidates are pairs of solids whose bounds along the way overlap, found by sweep and prune, Eq. (8.12). Without a
-// body that moves or turns by more than its own size there is no search. Nothing passes a plane, which is a half-space.
-// A mechanism turns as a whole, so its bodies count as turning only relative to others.
+// body of which a point moves by more than its size there is no search. Nothing passes a plane, which is a half-space.
+// Bodies of one mechanism are left out: those of a fast one turn together, and their ways are not straight.
 #include <optional>
 #include <vector>
 

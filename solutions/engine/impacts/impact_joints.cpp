@@ -31,7 +31,7 @@ std::vector<Joint> ImpactJoints<Dof>::of(const std::vector<std::size_t>& bodies)
 
 static constexpr double reached = 1e-6;  // of an extent
 
-/// Returns the length of a rope, the range of a slider [m], or 1 rad for a hinge.
+/// Returns the length of a rope, the range of a slider [m], or 1 rad for a hinge; 1 m for a range without an end.
 static double extent_of(const Joint& joint) {
   if (joint.length) return *joint.length;
   const bool has_range = joint.kind == JointKind::slider && joint.limits;

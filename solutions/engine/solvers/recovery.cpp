@@ -40,11 +40,13 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
   const Motion<Dof>& motion = s.bodies.motion;
   std::vector<Row<Dof>>& rows = s.rows();
   std::vector<bool> recovers(rows.size(), false), is_limit = recovers, holds = recovers;
+  std::vector<int> motor_of(rows.size(), -1);  // of limits
   bool any = false;
   for (const std::size_t k : joints.holding) holds[k] = recovers[k] = any = true;
   for (const RigidLimit& limit : joints.limits) {
     const Row<Dof>& row = rows[limit.row];
     is_limit[limit.row] = true;
+    if (limit.motor) motor_of[limit.row] = static_cast<int>(*limit.motor);
     recovers[limit.row] = row.lambda > 0 && opening_speed(row, motion, &s.V) > limit.ignored;
     any = any || recovers[limit.row];
   }
@@ -63,7 +65,12 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
   for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
     for (const int k : island) {
-      if (holds[k] || (is_limit[k] && is_beyond(rows[k], motion))) forget_gap(rows[k], motion);
+      const bool returns = is_limit[k] && is_beyond(rows[k], motion);
+      if (holds[k] || returns) forget_gap(rows[k], motion);
+      if (returns && motor_of[k] >= 0) {
+        Row<Dof>& motor = rows[static_cast<std::size_t>(motor_of[k])];
+        motor.B = -opening_speed<Dof>(motor, motion, nullptr);  // it stops, Eq. (13.12) with w = 0
+      }
       const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
       if (!c) continue;
       const Contact& contact = s.contacts[*c];
@@ -104,6 +111,7 @@ void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     for (const int body : bodies) s.V[body] *= kappa;
+    for (const int k : island) s.rows()[static_cast<std::size_t>(k)].lambda *= kappa;
   }
 }
 

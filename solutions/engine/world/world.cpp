@@ -74,7 +74,7 @@ void World<Dof>::step_part(double h) {
   }
   if (!rows().empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { solve_again(h); });
-  if (recovered_.empty()) add_work_of_drives(V_);
+  if (recovered_.empty()) add_work_of_drives(V_);  // else solve_again() has added it
   if constexpr (Dof == 6) part_limits_from_motors(h);
   force_of_drives_ = force_of_drives(h);
   clock_.run(Stage::integrate, [&] { integrate(h); });

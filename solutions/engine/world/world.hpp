@@ -311,8 +311,9 @@ class World {
   /// contacts() does not have it. A contact that bounces twice in a step is there twice.
   const std::vector<Impact>& impacts() const { return impacts_; }
 
-  /// The changes of all velocities by the rows of the last part of a step, V of chapter 04. Without rows, and in soft steps
-  /// and steps of order four, they mean nothing.
+  /// The changes of all velocities by the rows of the last part of a step, V of chapter 04, with which positions moved:
+  /// velocities go on without the speed of recovery. Without rows, and in soft steps and steps of order four, they mean
+  /// nothing.
   const std::vector<Twist<Dof>>& velocity_changes() const { return V_; }
 
   /// The joints; the impulse of one row of a joint in the last step [N s].
@@ -332,7 +333,8 @@ class World {
   double limit_force(int joint) const requires(Dof == 6);
   double spring_force(int joint) const requires(Dof == 6);
 
-  /// The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J].
+  /// The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J]: what velocities
+  /// go on with. Where bodies recover, it is not that of the forces above, which also move them back.
   double work_of_drives() const { return work_of_drives_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
