@@ -174,11 +174,13 @@ TEST(Recovery, HoldsWhatIsJoined) {
   EXPECT_NEAR(world.x(high).z(), 1.3, 1e-3);
 }
 
-/// A door of 2 m by 1 m by 0.1 m, its hinge at the edge of its long side, `beyond` its limit [rad].
-World<6> door(double beyond, std::optional<double> k_turn = {}, std::optional<Motor> motor = {}) {
+/// A door of 2 m by 1 m by 0.1 m, its hinge at the edge of its long side, `beyond` its upper limit [rad]; with sign -1
+/// beyond the lower one.
+World<6> door(double beyond, std::optional<double> k_turn = {}, std::optional<Motor> motor = {},
+              double sign = 1) {
   World<6> world({.gravity = Vec3::Zero()});
   const int frame = world.add_fixed(Vec3::Zero());
-  const Quat q(Eigen::AngleAxisd(0.5 + beyond, Vec3::UnitZ()));
+  const Quat q(Eigen::AngleAxisd(sign * (0.5 + beyond), Vec3::UnitZ()));
   const Vec3 arm(0.5, 0, 0);
   const int leaf = world.add(
       {.x = q * arm, .mass = 10, .q = q, .principal = 10.0 / 3 * Vec3(1 + 0.0025, 1 + 0.25, 0.25 + 0.0025)});
@@ -229,17 +231,32 @@ TEST(Recovery, CountsAsWorkOnlyWhatVelocitiesGoOnWith) {
     EXPECT_NEAR(world.v(box).z(), u, 1e-2 * u) << "h = " << h;
     EXPECT_NEAR(world.work_of_drives(), m * u * u, 1e-2 * m * u * u) << "h = " << h;
   }
-  // A motor presses a door against the limit that it has exceeded. The door turns back, and leaves the motor no speed.
-  const double strength = 50;
-  World<6> world = door(0.3, {}, Motor{.speed = 1, .strength = strength});
-  double back = 0;
-  for (int n = 0; n < 30; ++n) {
-    const double before = world.joint_position(0);
+}
+
+TEST(Recovery, LeavesAMotorAtAnExceededLimitNoSpeed) {
+  // The motor presses the door against the limit. The door turns back, and keeps no speed.
+  for (const double strength : {50.0, infinity})
+    for (const double viscosity : {1e12, infinity})
+      for (const double sign : {1.0, -1.0}) {
+        World<6> world =
+            door(0.3, {}, Motor{.speed = sign, .strength = strength, .viscosity = viscosity}, sign);
+        const std::string which = "strength " + short_text(strength) + ", viscosity " + short_text(viscosity);
+        const double start = world.joint_position(0);
+        for (int n = 0; n < 30; ++n) {
+          world.step(1.0 / 60);
+          EXPECT_LE(std::abs(world.joint_speed(0)), 1e-3 * 0.5) << which << ", step " << n;
+          EXPECT_LE(std::abs(world.work_of_drives()), 1e-2 * 50 * 0.3 / 30) << which << ", step " << n;
+        }
+        EXPECT_GT(sign * (start - world.joint_position(0)), 0.2) << which;
+      }
+  // One that returns by itself, more slowly than the limit, keeps its speed.
+  World<6> world = door(0.3, {}, Motor{.speed = -0.2, .strength = 50});
+  for (int n = 0; n < 20; ++n) {
     world.step(1.0 / 60);
-    back += before - world.joint_position(0);
-    EXPECT_LE(std::abs(world.work_of_drives()), 1e-2 * strength * 0.3 / 30) << "step " << n;
+    if (n > 5) {
+      EXPECT_NEAR(world.joint_speed(0), -0.2, 1e-2) << "step " << n;
+    }
   }
-  EXPECT_GT(back, 0.2);
 }
 
 TEST(Recovery, ThrowsADoorWhoseLimitIsASpring) {

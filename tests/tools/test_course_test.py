@@ -124,7 +124,8 @@ class Command(unittest.TestCase):
             return everything.Outcome(tree.preset, 1, [], [], ok)
 
         with mock.patch.object(everything, "install"), mock.patch.object(everything, "_install_if_offered"), \
-             mock.patch.object(everything, "Tree", lambda preset: SimpleNamespace(preset=preset, path=self.folder)), \
+             mock.patch.object(everything, "Tree", lambda preset: SimpleNamespace(preset=preset, path=self.folder,
+                                                                           setting=lambda name: "OFF")), \
              mock.patch.object(everything, "_build", build), \
              mock.patch.object(everything, "_run", run), \
              mock.patch.object(everything, "_graded", return_value=[]), \
@@ -168,30 +169,46 @@ class Command(unittest.TestCase):
 
 class Slowest(unittest.TestCase):
     def test_each_is_a_fast_test_that_ctest_can_leave_out(self):
-        slowest = list(slowest_tests.now())
+        slowest = list(slowest_tests.now(False))
         fast = everything.names(CHECK, everything.selection(["fast"]))
         self.assertLess(set(slowest), set(fast))
         self.assertEqual(everything.names(CHECK, everything.selection(["fast"], slowest)),
                          [name for name in fast if name not in slowest])
 
     def test_each_runs_again_if_one_of_its_files_has_changed(self):
-        every = list(slowest_tests.now())
+        every = list(slowest_tests.now(False))
         with tempfile.TemporaryDirectory() as folder:
             root, tree = Path(folder), SimpleNamespace(path=Path(folder))
             for name, again in (("chapters/01_leapfrog/kick.cpp", every), ("solutions/04_gauss_seidel/sweep.cpp", every),
                                 ("tests/support/checks.hpp", every), ("tools/course/grading/class.py", every),
                                 ("tests/tools/sandbox.py", every), ("tests/submissions/a/kick.cpp", every),
+                                ("tests/remote/answering.cpp", every),
                                 ("solutions/engine/world/world.cpp", ["tools.course_run"]),
                                 ("plots/run/draw.py", ["tools.course_run"]),
                                 ("tests/tools/test_stubs.py", ["tools.stubs"]), ("tests/tools/test_plots.py", []),
                                 ("tests/engine/world_test.cpp", []), ("README.md", [])):
-                slowest_tests.remember(tree, slowest_tests.now(root))
+                slowest_tests.remember(tree, slowest_tests.now(False, root))
                 file = root / name
                 file.parent.mkdir(parents=True, exist_ok=True)
                 file.write_text("new", encoding="utf-8")
                 with self.subTest(name):
-                    unchanged = slowest_tests.unchanged(tree, slowest_tests.now(root))
+                    unchanged = slowest_tests.unchanged(tree, slowest_tests.now(False, root))
                     self.assertEqual([test for test in every if test not in unchanged], again)
+
+    def test_each_runs_again_when_warnings_become_errors(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tree = SimpleNamespace(path=Path(folder))
+            slowest_tests.remember(tree, slowest_tests.now(False))
+            self.assertEqual(slowest_tests.unchanged(tree, slowest_tests.now(True)), [])
+
+    def test_grading_of_a_class_counts_what_its_programs_are_made_of(self):
+        first = CHAPTERS[0]
+        commands = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", f"grade_{first}", f"answer_{first}"],
+                                  capture_output=True, text=True, check=True).stdout
+        sources = {Path(name) for name in re.findall(rf" ({re.escape(str(ROOT))}/\S+\.cpp)", commands)}
+        self.assertTrue(sources)
+        generated = {source for source in sources if source.is_relative_to(CHECK.path)}
+        self.assertLessEqual(sources - generated, set(slowest_tests._files(ROOT, "tools.grade_class")))
 
 
 class Digests(unittest.TestCase):

@@ -48,7 +48,8 @@ def test(arguments) -> int:
 def _fast(strict: bool) -> int:
     """Runs tests with the label `fast`, and the mutants of changed chapters. The slowest tests are left out if their files
     are those of the last green run."""
-    check, now, slowest = Tree("check"), mutants.digests(), slowest_tests.now()
+    check, now = Tree("check"), mutants.digests()
+    slowest = slowest_tests.now(_is_strict(check, strict))
     _build(Tree("release"), _IN_RELEASE, strict)
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
@@ -82,7 +83,7 @@ def _everything(arguments) -> int:
     _install_if_offered(SLURM_NEEDS, "Slurm for the tests", arguments.yes)
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
-    now, slowest = mutants.digests(), slowest_tests.now()
+    now, slowest = mutants.digests(), slowest_tests.now(_is_strict(check, arguments.strict))
     for tree, targets in ((release, [*_IN_RELEASE, "experiments", "spook_package"]), (check, ["all", *_graded()]),
                           (sanitize, [])):
         _build(tree, targets, arguments.strict)
@@ -91,6 +92,11 @@ def _everything(arguments) -> int:
         mutants.remember(check, now)
         slowest_tests.remember(check, slowest)
     return _report(outcomes)
+
+
+def _is_strict(tree: Tree, strict: bool) -> bool:
+    """Tells whether warnings are errors: once they are, they stay so."""
+    return strict or tree.setting("SPOOK_WERROR") == "ON"
 
 
 def _graded(chapters: int | None = None) -> list[str]:
@@ -137,7 +143,7 @@ def _install_if_offered(needs: tuple[Need, ...], what: str, yes: bool) -> None:
 
 def _build(tree: Tree, targets: list[str], strict: bool) -> None:
     print(f"Building {shown(tree.path)}.", flush=True)
-    if strict and tree.setting("SPOOK_WERROR") != "ON":
+    if strict and not _is_strict(tree, False):
         tree.configure("-DSPOOK_WERROR=ON")
     built = tree.build(targets, f"building {tree.preset}")
     if not built.ok:

@@ -10,7 +10,7 @@ from tree import Tree
 
 _MEMORY = "slowest-passed.json"
 _ANSWERS = ("course", "CMakeLists.txt", "CMakePresets.json", "chapters", "solutions/CMakeLists.txt", "solutions/[0-9]*",
-            "tests/CMakeLists.txt", "tests/[0-9]*", "tests/hidden", "tests/support", "tests/submissions", "tests/weights.csv",
+            "tests/CMakeLists.txt", "tests/[0-9]*", "tests/hidden", "tests/remote", "tests/support", "tests/submissions", "tests/weights.csv",
             "tests/tools", "tools")
 # The files and folders of each, besides its own.
 _FILES = {"tools.stubs": _ANSWERS,
@@ -19,9 +19,9 @@ _FILES = {"tools.stubs": _ANSWERS,
           "tools.course_run": (*_ANSWERS, "solutions", "plots")}
 
 
-def now(root: Path = ROOT) -> dict[str, str]:
-    """Returns the digest of each test's files, by test."""
-    return {name: digest(root, _files(root, name)) for name in _FILES}
+def now(strict: bool, root: Path = ROOT) -> dict[str, str]:
+    """Returns the digest of each test's files, by test. With `strict`, a warning fails a test, so it is another digest."""
+    return {name: f"{'strict ' if strict else ''}{digest(root, _files(root, name))}" for name in _FILES}
 
 
 def unchanged(tree: Tree, now: dict[str, str]) -> list[str]:

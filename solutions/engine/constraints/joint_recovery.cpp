@@ -36,9 +36,13 @@ std::vector<RigidLimit> rigid_limits(const std::vector<Joint>& joints,
     const double swings = is_rope ? squared_speed(joint, bodies) * h / range + 1e-2 * gravity.norm() * h : 0;
     limits.push_back({.row = first_rows[n] + static_cast<std::size_t>(is_rope ? 0 : joint.holding_rows()),
                       .ignored = 1e-9 * (std::isfinite(range) ? range : 0) / h + swings});
-    if constexpr (Dof == 6)
-      if (joint.motor && limits_motor(joint, free_coordinate(joint, bodies).value, h))
-        limits.back().motor = first_rows[n] + static_cast<std::size_t>(joint.rows() - 1);
+    if constexpr (Dof == 6) {
+      if (!joint.motor) continue;
+      const double value = free_coordinate(joint, bodies).value;
+      if (limits_motor(joint, value, h))
+        limits.back().motor = {.row = first_rows[n] + static_cast<std::size_t>(joint.rows() - 1),
+                               .speed = speed_without_return(joint, value, h)};
+    }
   }
   return limits;
 }

@@ -23,11 +23,17 @@ namespace spook {
 /// Relaxation that closes a gap in one step if it leaves no speed [steps].
 inline constexpr double closing_relaxation = 0.75;
 
+/// The row of a motor whose speed its limits have changed, and its speed where a return leaves none [m/s or rad/s].
+struct LimitedMotor {
+  std::size_t row;
+  double speed;
+};
+
 /// The row of a joint's limit, or of a rope, that is no spring.
 struct RigidLimit {
   std::size_t row;
-  double ignored;                         ///< it recovers if it opens faster [m/s or rad/s]
-  std::optional<std::size_t> motor = {};  ///< row of a motor that the limit makes return, too
+  double ignored;  ///< it recovers if it opens faster [m/s or rad/s]
+  std::optional<LimitedMotor> motor = {};
 };
 
 /// The rows of joints that may recover.

@@ -108,12 +108,23 @@ static Row<6> spring_row(const Coordinate& free, const Spring& spring, double h,
                      motion);
 }
 
-/// Returns the speed nearest to a motor's target that the limits allow: within the limits, the remaining distance in a
-/// step of `h`; beyond a limit, the speed of return of the limit's own row: Eq. (13.17).
-static double speed_within(const Joint& joint, double value, double speed, double h) {
+/// Returns the speed nearest to a motor's own that the limits allow: within the limits, the remaining distance in a step of
+/// `h`; beyond a limit, `beyond` of its gap.
+template <class Beyond>
+static double nearest_speed(const Joint& joint, double value, double h, const Beyond& beyond) {
+  const auto allowed = [&](double gap) { return gap > 0 ? gap / h : beyond(gap); };
+  const double least = -allowed(value - joint.limits->lower), most = allowed(joint.limits->upper - value);
+  return std::min(std::max(joint.motor->speed, least), most);
+}
+
+/// Returns the speed that a motor aims at. Beyond a limit it is the speed of return of the limit's own row: Eq. (13.17).
+static double speed_within(const Joint& joint, double value, double h) {
   const double a = spook_parameters(h, 1, *joint.limit_d).a, largest = largest_return(joint);
-  const auto allowed = [&](double gap) { return gap > 0 ? gap / h : std::max(a * gap, -largest); };
-  return std::min(std::max(speed, -allowed(value - joint.limits->lower)), allowed(joint.limits->upper - value));
+  return nearest_speed(joint, value, h, [&](double gap) { return std::max(a * gap, -largest); });
+}
+
+double speed_without_return(const Joint& joint, double value, double h) {
+  return nearest_speed(joint, value, h, [](double) { return 0.0; });
 }
 
 /// Adds the holding rows of a hinge, slider or weld, then the rows of its limits, its spring and its motor.
@@ -140,12 +151,12 @@ static void add_guided_rows(const Joint& joint, double h, double d, const Bodies
   if (joint.spring) rows.push_back(spring_row(free, *joint.spring, h, motion));
   if (!joint.motor) return;
   Motor motor = *joint.motor;
-  if (joint.limits) motor.speed = speed_within(joint, free.value, motor.speed, h);
+  if (joint.limits) motor.speed = speed_within(joint, free.value, h);
   rows.push_back(motor_row(free, motor, h, motion));
 }
 
 bool limits_motor(const Joint& joint, double value, double h) {
-  return joint.motor && joint.limits && speed_within(joint, value, joint.motor->speed, h) != joint.motor->speed;
+  return joint.motor && joint.limits && speed_within(joint, value, h) != joint.motor->speed;
 }
 
 double impulse_of_limit(const Joint& joint, const Row<6>& motor_row, double speed, const Bodies<6>& bodies,

@@ -36,7 +36,10 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
 /// Tells whether a joint's limits change the speed that its motor aims at, at the free coordinate `value`, Eq. (13.17).
 bool limits_motor(const Joint& joint, double value, double h);
 
-/// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has lowered the speed of
+/// Returns the speed that a motor aims at where a return leaves no speed, (7.17): its own, but 0 towards an exceeded limit.
+double speed_without_return(const Joint& joint, double value, double h);
+
+/// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has changed the speed of
 /// this row. Then the motor's part is that of Eq. (13.12) and (13.13) with its own desired speed, and the limit has the
 /// remainder. `speed`: G W at the end of the step. 0 for a motor of infinite strength, whose part would be infinite.
 double impulse_of_limit(const Joint& joint, const Row<6>& motor_row, double speed, const Bodies<6>& bodies,

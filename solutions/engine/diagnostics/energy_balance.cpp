@@ -77,26 +77,50 @@ static double energy_of_joints(const World<Dof>& world, const std::vector<double
   return energy;
 }
 
-/// Returns the energy that joints with a k of their own store [J]: ½ k gap². Others give nothing back.
+/// Returns the energy that joints with a k of their own give back [J]: ½ k gap², but no more than that of the speed a gap
+/// with which a step of `h` [s] closes the gap, Eq. (3.4). Others give nothing back.
 template <int Dof>
-static double energy_stored(const World<Dof>& world) {
+static double energy_stored(const World<Dof>& world, double h) {
+  const Bodies<Dof>& bodies = world.bodies();
+  if (world.settings().soft_steps) return 0;
   double energy = 0;
   for (const Joint& joint : world.joints()) {
-    const JointGap gap = gap_of(joint, world.bodies());
-    if (!joint.has_default_k) energy += *joint.k * gap.apart.squaredNorm() / 2;
-    if (joint.is_guided() && !joint.has_default_k_turn) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
+    if (joint.has_default_k) continue;
+    const JointGap gap = gap_of(joint, bodies);
+    double m = infinity, I = infinity;  // at most those of the lighter body
+    for (const int body : {joint.i, joint.j}) {
+      const auto b = static_cast<std::size_t>(body);
+      if (bodies.is_fixed(b)) continue;
+      m = std::min(m, bodies.mass[b]);
+      if constexpr (Dof == 6) I = std::min(I, bodies.orientations.principal[b].maxCoeff());
+    }
+    const double a = spook_parameters(h, 1, *joint.d).a;
+    energy += std::min(*joint.k, a * a * m) * gap.apart.squaredNorm() / 2;
+    if (joint.is_guided() && !joint.has_default_k_turn)
+      energy += std::min(*joint.k_turn, a * a * I) * gap.turned.squaredNorm() / 2;
   }
   return energy;
 }
 
-/// Counts apart what joints take from velocities at the start that contradict them, without what they store. They also
-/// change the speeds of motors and springs, so that the work of these is not known: it may seem to be a gain.
+/// Tells whether something else than a joint may have taken energy in the last part of the step.
+template <int Dof>
+static bool stops(const World<Dof>& world) {
+  if (!world.contacts().empty() || world.report().impacts > 0) return true;
+  for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
+    const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
+    const bool is_rope = joint.kind == JointKind::rope;
+    if ((is_rope || joint.limits) && world.joint_lambda(n, is_rope ? 0 : joint.holding_rows()) != 0)
+      return true;
+  }
+  return false;
+}
+
 template <int Dof>
 void EnergyBalance<Dof>::settle(const World<Dof>& world) {
   const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
   if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) given_ += std::max(0.0, gained());
-  if (world.joints().empty() || may_dissipate_) return;
-  contradicted_ = std::max(contradicted_, started_ + given_ - T_ - energy_stored(world));
+  --settling_;
+  if (settling_ == 0 && !world.joints().empty() && !stopped_) contradicted_ = std::max(0.0, lost());
 }
 
 template <int Dof>
@@ -124,8 +148,9 @@ void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double larg
   T_ = spook::kinetic_energy(bodies);
   if (first_) springs_ = energy_of_contacts(world, load) + energy_of_joints(world, gaps_);
   first_ = false;
+  stored_ = energy_stored(world, h / world.parts());
+  stopped_ = stopped_ || touches || stops(world);
   if (settling_ > 0) settle(world);
-  settling_ = std::max(settling_ - 1, 0);
   most_ = std::max(most_, T_);
   too_much_ = share_too_much *
               std::max({most_, load * largest_size, energy_unseen(bodies, largest_size, h / world.parts())});

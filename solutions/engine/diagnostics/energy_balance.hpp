@@ -9,9 +9,10 @@
 // Δx is a body's way, so that the energy which lifts it out of an overlap counts. Springs are joints with a gap, and
 // closed contacts.
 //
-// Velocities that are given may contradict joints. What joints take from them in the first five steps is counted apart:
-// a step leaves 1/(1 + 4d) of such a velocity, Eq. (3.5), and five steps with d = 1/4 a thousandth of its energy.
-// Meanwhile the work of motors and springs is not known, and what they seem to bring in is no gain.
+// Velocities that are given may contradict joints. What joints take from them in the first five steps is counted apart,
+// unless a contact, an impact, a limit or a rope may have taken it: a step leaves 1/(1 + 4d) of such a velocity, Eq.
+// (3.5), and five steps with d = 1/4 a thousandth of its energy. Meanwhile the work of motors and springs is not known:
+// what they seem to bring in is no gain. Joints with a k of their own store energy, and give it back.
 #include <vector>
 
 #include "engine/world/world.hpp"
@@ -27,14 +28,14 @@ class EnergyBalance {
   /// Adds the step of `h` [s] that the world has just taken. `largest_size` is that of its bodies and joints [m].
   void add_step(const World<Dof>& world, double h, double largest_size);
 
-  double gained() const { return T_ - started_ - given_ - springs_; }     ///< [J]
-  double lost() const { return started_ + given_ - T_ - contradicted_; }  ///< [J]
+  double gained() const { return T_ - started_ - given_ + contradicted_ - springs_; }  ///< [J]
+  double lost() const { return started_ + given_ - T_ - contradicted_ - stored_; }     ///< [J]
   bool gained_too_much() const { return gained() > too_much_; }
-  bool lost_too_much() const { return lost() > too_much_; }
+  bool lost_too_much() const { return settling_ == 0 && lost() > too_much_; }
 
   /// The energy that joints took from given velocities which contradicted them [J]; 0 until five steps have passed.
-  double contradicted() const { return settling_ > 0 ? 0 : contradicted_; }
-  bool contradicted_too_much() const { return contradicted() > too_much_; }
+  double contradicted() const { return contradicted_; }
+  bool contradicted_too_much() const { return contradicted_ > too_much_; }
 
   /// Tells whether there have been rows since the start, and whether something else than joints could take energy.
   bool had_rows() const { return had_rows_; }
@@ -45,8 +46,8 @@ class EnergyBalance {
   std::size_t bodies() const { return x_before_.size(); }
 
   void state(StateStream& s) {
-    s(first_, settling_, had_rows_, may_dissipate_, T_, started_, given_, springs_, contradicted_, gaps_, most_,
-      too_much_, lag_, W_before_, x_before_);
+    s(first_, settling_, had_rows_, may_dissipate_, stopped_, T_, started_, given_, springs_, stored_,
+      contradicted_, gaps_, most_, too_much_, lag_, W_before_, x_before_);
   }
 
  private:
@@ -59,10 +60,12 @@ class EnergyBalance {
   int settling_ = 0;   // steps in which joints may take given velocities yet
   bool had_rows_ = false;
   bool may_dissipate_ = false;
+  bool stopped_ = false;              // while settling, something else than joints may have taken energy
   double T_ = 0;                      // kinetic energy now [J]
   double started_ = 0;                // at the start [J]
   double given_ = 0;                  // work of forces since the start [J]
   double springs_ = 0;                // energy of springs at the start [J]
+  double stored_ = 0;                 // energy of joints with a k of their own now [J]
   double contradicted_ = 0;           // what joints took from velocities at the start [J]
   std::vector<double> gaps_;          // of each joint at the start: of its points, and of its angles, squared
   double most_ = 0;                   // the largest kinetic energy so far [J]

@@ -116,7 +116,10 @@ std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::ve
     const Vec3 far = Vec3::Constant(half_sides_of(shapes[i]).norm());
     ways.push_back({bodies.x[i].cwiseMin(before[i]) - far, bodies.x[i].cwiseMax(before[i]) + far});
   }
-  Mechanisms<Dof> mechanisms(world.joints(), bodies);
+  std::vector<Joint> rigid;
+  for (const Joint& joint : world.joints())
+    if (!joint.needs_length()) rigid.push_back(joint);
+  Mechanisms<Dof> mechanisms(rigid, bodies);
   for (const Pair& pair : sweep_and_prune(ways)) {
     const int i = solids[pair.first], j = solids[pair.second];
     const bool i_moves = !bodies.is_fixed(static_cast<std::size_t>(i)),

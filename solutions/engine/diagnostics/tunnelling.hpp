@@ -7,7 +7,8 @@
 //
 // Candidates are pairs of solids whose bounds along the way overlap, found by sweep and prune, Eq. (8.12). Without a
 // body of which a point moves by more than its size there is no search. Nothing passes a plane, which is a half-space.
-// Bodies of one mechanism are left out: those of a fast one turn together, and their ways are not straight.
+// Bodies that joints at points connect are left out: those of a fast mechanism turn together, on ways that are not
+// straight.
 #include <optional>
 #include <vector>
 

@@ -40,14 +40,16 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
   const Motion<Dof>& motion = s.bodies.motion;
   std::vector<Row<Dof>>& rows = s.rows();
   std::vector<bool> recovers(rows.size(), false), is_limit = recovers, holds = recovers;
-  std::vector<int> motor_of(rows.size(), -1);  // of limits
+  std::vector<std::optional<LimitedMotor>> motor_of(rows.size());  // of limits
   bool any = false;
   for (const std::size_t k : joints.holding) holds[k] = recovers[k] = any = true;
   for (const RigidLimit& limit : joints.limits) {
     const Row<Dof>& row = rows[limit.row];
     is_limit[limit.row] = true;
-    if (limit.motor) motor_of[limit.row] = static_cast<int>(*limit.motor);
-    recovers[limit.row] = row.lambda > 0 && opening_speed(row, motion, &s.V) > limit.ignored;
+    motor_of[limit.row] = limit.motor;
+    // A stiffer motor takes the impulse of the limit.
+    const bool pushes = row.lambda > 0 || (limit.motor && is_beyond(row, motion));
+    recovers[limit.row] = pushes && opening_speed(row, motion, &s.V) > limit.ignored;
     any = any || recovers[limit.row];
   }
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
@@ -67,9 +69,9 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
     for (const int k : island) {
       const bool returns = is_limit[k] && is_beyond(rows[k], motion);
       if (holds[k] || returns) forget_gap(rows[k], motion);
-      if (returns && motor_of[k] >= 0) {
-        Row<Dof>& motor = rows[static_cast<std::size_t>(motor_of[k])];
-        motor.B = -opening_speed<Dof>(motor, motion, nullptr);  // it stops, Eq. (13.12) with w = 0
+      if (returns && motor_of[k]) {
+        Row<Dof>& motor = rows[motor_of[k]->row];
+        motor.B = motor_of[k]->speed - opening_speed<Dof>(motor, motion, nullptr);  // Eq. (13.12)
       }
       const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
       if (!c) continue;
