@@ -77,27 +77,15 @@ static double energy_of_joints(const World<Dof>& world, const std::vector<double
   return energy;
 }
 
-/// Returns the energy that joints with a k of their own give back [J]: ½ k gap², but no more than that of the speed a gap
-/// with which a step of `h` [s] closes the gap, Eq. (3.4). Others give nothing back.
+/// Returns the energy that joints with a k of their own store [J]: ½ k gap². Others give nothing back.
 template <int Dof>
-static double energy_stored(const World<Dof>& world, double h) {
-  const Bodies<Dof>& bodies = world.bodies();
-  if (world.settings().soft_steps) return 0;
+static double energy_stored(const World<Dof>& world) {
   double energy = 0;
   for (const Joint& joint : world.joints()) {
     if (joint.has_default_k) continue;
-    const JointGap gap = gap_of(joint, bodies);
-    double m = infinity, I = infinity;  // at most those of the lighter body
-    for (const int body : {joint.i, joint.j}) {
-      const auto b = static_cast<std::size_t>(body);
-      if (bodies.is_fixed(b)) continue;
-      m = std::min(m, bodies.mass[b]);
-      if constexpr (Dof == 6) I = std::min(I, bodies.orientations.principal[b].maxCoeff());
-    }
-    const double a = spook_parameters(h, 1, *joint.d).a;
-    energy += std::min(*joint.k, a * a * m) * gap.apart.squaredNorm() / 2;
-    if (joint.is_guided() && !joint.has_default_k_turn)
-      energy += std::min(*joint.k_turn, a * a * I) * gap.turned.squaredNorm() / 2;
+    const JointGap gap = gap_of(joint, world.bodies());
+    energy += *joint.k * gap.apart.squaredNorm() / 2;
+    if (joint.is_guided() && !joint.has_default_k_turn) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
   }
   return energy;
 }
@@ -120,7 +108,11 @@ void EnergyBalance<Dof>::settle(const World<Dof>& world) {
   const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
   if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) given_ += std::max(0.0, gained());
   --settling_;
-  if (settling_ == 0 && !world.joints().empty() && !stopped_) contradicted_ = std::max(0.0, lost());
+  const auto has_default_k = [](const Joint& joint) { return joint.has_default_k; };
+  const bool only_joints_took = !world.joints().empty() && !stopped_;
+  if (settling_ == 0 && only_joints_took &&
+      std::all_of(world.joints().begin(), world.joints().end(), has_default_k))
+    contradicted_ = std::max(0.0, lost());
 }
 
 template <int Dof>
@@ -148,7 +140,7 @@ void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double larg
   T_ = spook::kinetic_energy(bodies);
   if (first_) springs_ = energy_of_contacts(world, load) + energy_of_joints(world, gaps_);
   first_ = false;
-  stored_ = energy_stored(world, h / world.parts());
+  stored_ = energy_stored(world);
   stopped_ = stopped_ || touches || stops(world);
   if (settling_ > 0) settle(world);
   most_ = std::max(most_, T_);
