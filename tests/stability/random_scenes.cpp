@@ -37,7 +37,7 @@ Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
     if (shape == 1) {
       body.radius = radius / 2;
       body.half_length = radius / 2;
-      body.mass *= 5.0 / 16;
+      body.mass *= 5.0 / 16;  // its volume is 5/12 π r³, and 4/3 π r³ that of the ball
     }
     if (shape == 2) {
       for (double& half : body.half_sides) half = random.uniform(0.5, 1) * room / 4;

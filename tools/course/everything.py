@@ -49,7 +49,7 @@ def _fast(strict: bool) -> int:
     """Runs tests with the label `fast`, and the mutants of changed chapters. The slowest tests are left out if their files
     are those of the last green run."""
     check, now = Tree("check"), mutants.digests()
-    slowest = slowest_tests.now(_is_strict(check, strict))
+    slowest = slowest_tests.now(strict or _is_strict(check))
     _build(Tree("release"), _IN_RELEASE, strict)
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
@@ -83,7 +83,7 @@ def _everything(arguments) -> int:
     _install_if_offered(SLURM_NEEDS, "Slurm for the tests", arguments.yes)
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
-    now, slowest = mutants.digests(), slowest_tests.now(_is_strict(check, arguments.strict))
+    now, slowest = mutants.digests(), slowest_tests.now(arguments.strict or _is_strict(check))
     for tree, targets in ((release, [*_IN_RELEASE, "experiments", "spook_package"]), (check, ["all", *_graded()]),
                           (sanitize, [])):
         _build(tree, targets, arguments.strict)
@@ -94,9 +94,9 @@ def _everything(arguments) -> int:
     return _report(outcomes)
 
 
-def _is_strict(tree: Tree, strict: bool) -> bool:
-    """Tells whether warnings are errors: once they are, they stay so."""
-    return strict or tree.setting("SPOOK_WERROR") == "ON"
+def _is_strict(tree: Tree) -> bool:
+    """Tells whether warnings are errors in this tree: after a run with --strict they stay so."""
+    return tree.setting("SPOOK_WERROR") == "ON"
 
 
 def _graded(chapters: int | None = None) -> list[str]:
@@ -143,7 +143,7 @@ def _install_if_offered(needs: tuple[Need, ...], what: str, yes: bool) -> None:
 
 def _build(tree: Tree, targets: list[str], strict: bool) -> None:
     print(f"Building {shown(tree.path)}.", flush=True)
-    if strict and not _is_strict(tree, False):
+    if strict and not _is_strict(tree):
         tree.configure("-DSPOOK_WERROR=ON")
     built = tree.build(targets, f"building {tree.preset}")
     if not built.ok:

@@ -1,5 +1,5 @@
-"""The slowest of the fast tests. ./course test runs each of them once, and again if one of its files has changed since the
-last green run. A newer compiler is not seen; --all runs them all.
+"""The slowest of the fast tests. Once all tests have passed, ./course test runs each of these again only if one of its
+files has changed. A newer compiler is not seen; --all runs them all.
 """
 
 from pathlib import Path
@@ -10,8 +10,8 @@ from tree import Tree
 
 _MEMORY = "slowest-passed.json"
 _ANSWERS = ("course", "CMakeLists.txt", "CMakePresets.json", "chapters", "solutions/CMakeLists.txt", "solutions/[0-9]*",
-            "tests/CMakeLists.txt", "tests/[0-9]*", "tests/hidden", "tests/remote", "tests/support", "tests/submissions", "tests/weights.csv",
-            "tests/tools", "tools")
+            "tests/CMakeLists.txt", "tests/[0-9]*", "tests/hidden", "tests/remote", "tests/support", "tests/submissions",
+            "tests/weights.csv", "tests/tools", "tools")
 # The files and folders of each, besides its own.
 _FILES = {"tools.stubs": _ANSWERS,
           "tools.course_check": _ANSWERS,

@@ -36,7 +36,8 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
 /// Tells whether a joint's limits change the speed that its motor aims at, at the free coordinate `value`, Eq. (13.17).
 bool limits_motor(const Joint& joint, double value, double h);
 
-/// Returns the speed that a motor aims at where a return leaves no speed, (7.17): its own, but 0 towards an exceeded limit.
+/// Returns the speed that a motor aims at in the second solve, Eq. (7.17), after which no speed of a return is left: its
+/// own, but 0 towards an exceeded limit.
 double speed_without_return(const Joint& joint, double value, double h);
 
 /// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has changed the speed of

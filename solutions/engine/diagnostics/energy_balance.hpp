@@ -23,7 +23,7 @@ namespace spook {
 template <int Dof>
 class EnergyBalance {
  public:
-  /// Begins with the world as it is. Tells whether velocities are given, or those of a step before.
+  /// Begins with the world as it is. Its velocities are given from outside, or else left by the step before.
   void start(const World<Dof>& world, bool velocities_are_given);
 
   /// Adds the step of `h` [s] that the world has just taken. `largest_size` is that of its bodies and joints [m].
@@ -58,7 +58,7 @@ class EnergyBalance {
   static constexpr int steps_to_settle = 5;
 
   bool first_ = true;  // the next step is the first one
-  int settling_ = 0;   // steps in which joints may take given velocities yet
+  int settling_ = 0;   // remaining steps in which joints may take given velocities
   bool had_rows_ = false;
   bool may_dissipate_ = false;
   bool stopped_ = false;              // while settling, something else than joints may have taken energy

@@ -9,7 +9,8 @@
 //   x += h (W + W_f + V)           positions move with the first solution, the overlap shrinks by the part a h
 //   W <- W + W_f + V'              velocities go on with the second: a plastic impact
 //
-// A motor that its exceeded limit makes return aims at its own speed instead, or at 0 if that is towards the limit.
+// In the second solve the motor of an exceeded limit does not aim at the speed of the return, Eq. (13.17), but at its
+// own, or at 0 if its own is towards the limit.
 //
 // Which rows of joints recover is in engine/constraints/joint_recovery.hpp. A position that moves with one velocity and
 // goes on with another changes the angular momentum a little.
