@@ -18,8 +18,8 @@ struct Limits {
   bool whole = false;
 
   bool allow(double value) const;
-  std::string text()
-      const;  ///< "more than 0", "a whole number from 1 to 1000", ...; empty if any finite number is allowed
+  /// Returns "more than 0", "a whole number from 1 to 1000", and so on; empty if any finite number is allowed.
+  std::string text() const;
 };
 
 /// A parameter: a number, or a choice by name. Holds its default until it is set.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "engine/constraints/mechanisms.hpp"
@@ -40,18 +39,12 @@ void at(const Place& place, const Action& action) {
 
 /// Returns the volume of a solid body [m³]; `place` is its density's.
 double volume(const Place& place, const Shape& shape) {
-  constexpr double pi = std::numbers::pi;
-  const auto ball = [](double r) { return 4.0 / 3 * pi * r * r * r; };
-  const auto reject = [&]() -> double {
-    place.reject("left out for a body that is no sphere, no capsule and no box");
-  };
-  return match(
-      shape, [&](const NoShape&) { return reject(); },
-      [&](const Sphere& sphere) { return ball(sphere.radius); },
-      [&](const Capsule& capsule) {
-        return ball(capsule.radius) + 2 * capsule.half_length * pi * capsule.radius * capsule.radius;
-      },
-      [](const Cuboid& box) { return 8 * box.half_sides.prod(); }, [&](const PointSet&) { return reject(); });
+  return match(shape, [&]<class Type>(const Type& solid) -> double {
+    if constexpr (HasInterior<Type>)
+      return solid.volume();
+    else
+      place.reject("left out for a body that is no sphere, no capsule and no box");
+  });
 }
 
 /// Reads the numbers that describe a rigid body's shape.

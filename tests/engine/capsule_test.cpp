@@ -92,7 +92,7 @@ TEST(Capsule, IsAsDeepInABoxAsADenseSearchFinds) {
                   .half_sides = random.vector(0.2, 1)};
     const PlacedCapsule c = some_capsule(random, 1, 1.5);
     std::vector<Contact> contacts;
-    box_capsule(box, c, contacts);
+    add_contacts(box, c, contacts);
     const double gap = smallest_gap(box, c);
     // The signed distance changes by 1e-4 half lengths from one ball of the search to the next.
     const double close = 1.5e-4;
@@ -112,7 +112,7 @@ TEST(Capsule, IsAsDeepInAnotherAsADenseSearchFinds) {
     const PlacedCapsule a = some_capsule(random, 0, 1);
     const PlacedCapsule b = some_capsule(random, 1, 1);
     std::vector<Contact> contacts;
-    capsule_capsule(a, b, contacts);
+    add_contacts(a, b, contacts);
     const double gap = smallest_gap(a, b), close = 1.5e-4;
     EXPECT_TRUE(contacts.empty() || gap <= close) << "gap " << gap << ", draw " << draw;
     EXPECT_TRUE(!contacts.empty() || gap >= -close) << "gap " << gap << ", draw " << draw;
@@ -127,7 +127,7 @@ TEST(Capsule, StandsOnTwoPointsWhereItLies) {
   const Box table{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
   const auto on_table = [&](const Vec3& x, double half_length) {
     std::vector<Contact> contacts;
-    box_capsule(table, capsule(1, x, Vec3::UnitX(), 0.2, half_length), contacts);
+    add_contacts(table, capsule(1, x, Vec3::UnitX(), 0.2, half_length), contacts);
     return contacts;
   };
   // Within the face, over both of its sides, over one, and along its rim: the ends of the part on the face.
@@ -141,8 +141,8 @@ TEST(Capsule, StandsOnTwoPointsWhereItLies) {
     EXPECT_NEAR(contacts[0].gap, contacts[1].gap, 1e-12);
   }
   std::vector<Contact> parallel;
-  capsule_capsule(capsule(0, Vec3::Zero(), Vec3::UnitX(), 0.3, 1),
-                  capsule(1, Vec3(0.5, 0, 0.59), Vec3::UnitX(), 0.3, 1), parallel);
+  add_contacts(capsule(0, Vec3::Zero(), Vec3::UnitX(), 0.3, 1),
+               capsule(1, Vec3(0.5, 0, 0.59), Vec3::UnitX(), 0.3, 1), parallel);
   ASSERT_EQ(parallel.size(), 2U);
   EXPECT_NEAR(std::min(parallel[0].r_i.x(), parallel[1].r_i.x()), -0.5, 1e-12);
   EXPECT_NEAR(std::max(parallel[0].r_i.x(), parallel[1].r_i.x()), 1, 1e-12);

@@ -31,22 +31,16 @@ Shape shape_of(const Body<Dof>& body) {
   return shape;
 }
 
-[[noreturn]] static Vec3 reject_missing_moments() {
-  throw std::invalid_argument(
-      "principal moments must be given for a body other than a sphere, capsule or box, but are missing");
-}
-
 /// Returns the given moments of a body, or those of its shape.
 static Vec3 moments_of(const Body<6>& body) {
   if (body.principal) return *body.principal;
-  return match(
-      shape_of(body), [](const NoShape&) { return reject_missing_moments(); },
-      [&](const Sphere& sphere) { return solid_sphere_moments(body.mass, sphere.radius); },
-      [&](const Capsule& capsule) {
-        return solid_capsule_moments(body.mass, capsule.radius, capsule.half_length);
-      },
-      [&](const Cuboid& box) { return solid_box_moments(body.mass, box.half_sides); },
-      [](const PointSet&) { return reject_missing_moments(); });
+  return match(shape_of(body), [&]<class Type>(const Type& shape) -> Vec3 {
+    if constexpr (HasInterior<Type>)
+      return shape.moments(body.mass);
+    else
+      throw std::invalid_argument(
+          "principal moments must be given for a body other than a sphere, capsule or box, but are missing");
+  });
 }
 
 /// Throws unless no moment exceeds the sum of the other two: each moment is a sum over two of three squares.

@@ -7,15 +7,19 @@
 
 namespace spook {
 
-/// The orientations of point masses: empty.
+/// The orientations of point masses, which have none.
 template <int Dof>
-struct Orientations {};
+struct Orientations {
+  Quat of(std::size_t) const { return Quat::Identity(); }
+};
 
 template <>
 struct Orientations<6> {
   std::vector<Quat> q;                  ///< body to world
   std::vector<Vec3> principal;          ///< [kg m²]; zero for a static body
   std::vector<Vec3> inverse_principal;  ///< [1/(kg m²)]; zero for a static body
+
+  const Quat& of(std::size_t i) const { return q[i]; }
 
   /// Returns the inverse inertia of body i in world coordinates [1/(kg m²)]: Eq. (2.7).
   Mat3 inverse_inertia(std::size_t i) const;

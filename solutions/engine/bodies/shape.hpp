@@ -1,38 +1,53 @@
 #pragma once
-// Shapes of bodies: a closed list. Code that depends on the shape visits the variant, so that a new shape is a compile
-// error in each place that does not handle it yet.
+// Shapes of bodies: a closed list of types with the same members. Code calls these members, or visits the variant, so
+// that a new shape is a compile error in each place that does not handle it yet. In the body's axes:
+//
+//   require_sound()      throws std::invalid_argument, naming the number, unless radii and half sides are positive and
+//                        finite, a half length is finite and not negative, and points are finite
+//   size()               the length to which penetration is compared [m]: a radius, the least half side, the distance
+//                        of the farthest point; infinity without a shape
+//   reach()              the radius of a ball around the centre that contains the shape [m]; 0 without a shape
+//   numbers()            all numbers that define the shape, as a tuple
+//
+// A shape with an interior also has
+//
+//   volume()             [m³]
+//   moments(mass)        the principal moments of a solid body [kg m²]
+//   signed_distance(x)   the distance of a point from the surface [m], negative inside
+//   entry(o, u)          where the line o + t u enters the interior, if it does; u has unit length
+//   visible_turn(turn)   the part of a rotation vector that moves the surface: none of a sphere's
+#include <concepts>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <variant>
-#include <vector>
 
-#include "common/types.hpp"
+#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "engine/bodies/capsule.hpp"
+#include "engine/bodies/cuboid.hpp"
+#include "engine/bodies/point_set.hpp"
+#include "engine/bodies/sphere.hpp"
 
 namespace spook {
 
 /// The shape of a body without contacts.
-struct NoShape {};
-
-struct Sphere {
-  double radius;  ///< [m]
-};
-
-/// All points within `radius` of a segment along the body's z axis, from -half_length to half_length.
-struct Capsule {
-  double radius;       ///< [m]
-  double half_length;  ///< of the segment [m]
-};
-
-/// A box along the body's axes.
-struct Cuboid {
-  Vec3 half_sides;  ///< [m]
-};
-
-/// Points that touch planes only.
-struct PointSet {
-  std::vector<Vec3> points;  ///< from the centre, in the body's axes [m]
+struct NoShape {
+  void require_sound() const {}
+  double size() const { return infinity; }
+  double reach() const { return 0; }
+  auto numbers() const { return std::tuple(); }
 };
 
 using Shape = std::variant<NoShape, Sphere, Capsule, Cuboid, PointSet>;
+
+template <class Type>
+concept HasInterior = requires(const Type& shape, double mass, const Vec3& vector) {
+  { shape.volume() } -> std::same_as<double>;
+  { shape.moments(mass) } -> std::same_as<Vec3>;
+  { shape.signed_distance(vector) } -> std::same_as<double>;
+  { shape.entry(vector, vector) } -> std::same_as<std::optional<LineEntry>>;
+  { shape.visible_turn(vector) } -> std::same_as<Vec3>;
+};
 
 /// The handlers as one function with several overloads.
 template <class... Handlers>
@@ -47,26 +62,21 @@ decltype(auto) match(Variant&& shape, Handlers&&... handlers) {
   return std::visit(Handling{std::forward<Handlers>(handlers)...}, std::forward<Variant>(shape));
 }
 
-/// Throws std::invalid_argument, naming the radius, half length, half side or corner, unless radii and half sides are
-/// positive and finite, a half length is finite and not negative, and points are finite.
-void require_sound(const Shape& shape);
+/// Throws unless the numbers of the shape are valid, see above.
+inline void require_sound(const Shape& shape) {
+  match(shape, [](const auto& held) { held.require_sound(); });
+}
 
-/// Returns the size of a shape [m], to which penetration is compared: a radius, the least half side, the distance of
-/// the farthest point; infinity without a shape.
-double size_of(const Shape& shape);
+/// Returns the member size() of the shape that a variant holds [m].
+template <class Variant>
+double size_of(const Variant& shape) {
+  return match(shape, [](const auto& held) { return held.size(); });
+}
 
-/// Returns the principal moments of a solid sphere, 2/5 m r² each [kg m²].
-Vec3 solid_sphere_moments(double mass, double radius);
-
-/// Returns the principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], from the halves of its sides [m].
-Vec3 solid_box_moments(double mass, const Vec3& half_sides);
-
-/// Returns the principal moments of a solid capsule along z [kg m²], the sum of a cylinder of half length L and mass
-/// m_c and of two half balls of total mass m_s, with masses in proportion to volume:
-/// I_z = m_c r²/2 + m_s 2/5 r²,   I_x = I_y = m_c (r²/4 + L²/3) + m_s (2/5 r² + L² + 3/4 r L)
-Vec3 solid_capsule_moments(double mass, double radius, double half_length);
-
-/// Returns the eight corners of a box [m].
-std::vector<Vec3> box_corners(const Vec3& half_sides);
+/// Returns the member reach() of the shape that a variant holds [m].
+template <class Variant>
+double reach_of(const Variant& shape) {
+  return match(shape, [](const auto& held) { return held.reach(); });
+}
 
 }  // namespace spook

@@ -51,8 +51,7 @@ struct Range {
 /// Appends the contacts of the balls at the ends of a range that touch, and that of the ball at `lowest` if it is a
 /// different and deeper one. `contact_at` returns the contact of the ball at t.
 template <class ContactAt>
-void add_contacts(double lowest, const Range& along, const ContactAt& contact_at,
-                  std::vector<Contact>& contacts) {
+void add_along(double lowest, const Range& along, const ContactAt& contact_at, std::vector<Contact>& contacts) {
   const std::optional<Contact> deepest = contact_at(lowest);
   if (!deepest) return;
   const double deeper = deepest->gap + roundings_of_gaps * std::abs(deepest->gap);
@@ -109,18 +108,26 @@ Vec3 outwards(const Box& box, const Vec3& point) {
 
 }  // namespace
 
+PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q, double grown) {
+  return {.body = body,
+          .x = x,
+          .axis = q.toRotationMatrix().col(2),
+          .radius = capsule.radius + grown,
+          .half_length = capsule.half_length};
+}
+
 Bounds bounds(const PlacedCapsule& capsule) {
   const Vec3 half = capsule.half_length * capsule.axis.cwiseAbs() + Vec3::Constant(capsule.radius);
   return {.lower = capsule.x - half, .upper = capsule.x + half};
 }
 
-void plane_capsule(const Plane& plane, const PlacedCapsule& capsule, std::vector<Contact>& contacts) {
+void add_contacts(const Plane& plane, const PlacedCapsule& capsule, std::vector<Contact>& contacts) {
   for (const double t : {-1.0, 1.0})
     if (const auto contact = on_capsule(plane_ball(plane, capsule.ball(t)), capsule, t))
       contacts.push_back(*contact);
 }
 
-void capsule_ball(const PlacedCapsule& capsule, const Ball& ball, std::vector<Contact>& contacts) {
+void add_contacts(const PlacedCapsule& capsule, const Ball& ball, std::vector<Contact>& contacts) {
   const double t = nearest(capsule, ball.x);
   std::optional<Contact> contact = ball_ball(capsule.ball(t), ball);
   if (!contact) return;
@@ -128,7 +135,7 @@ void capsule_ball(const PlacedCapsule& capsule, const Ball& ball, std::vector<Co
   contacts.push_back(*contact);
 }
 
-void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts) {
+void add_contacts(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts) {
   const auto nearest_on_i = [&](double t) { return nearest(i, j.ball(t).x); };
   const auto slope = [&](double t) { return j.axis.dot(j.ball(t).x - i.ball(nearest_on_i(t)).x); };
   Range along;  // where the nearest point of i is not an end
@@ -139,10 +146,10 @@ void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector
     if (contact) contact->r_i += s * i.half_length * i.axis;
     return contact;
   };
-  add_contacts(lowest_of(slope), along, contact_at, contacts);
+  add_along(lowest_of(slope), along, contact_at, contacts);
 }
 
-void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Contact>& contacts) {
+void add_contacts(const Box& box, const PlacedCapsule& capsule, std::vector<Contact>& contacts) {
   const auto contact_at = [&](double t) { return on_capsule(box_ball(box, capsule.ball(t)), capsule, t); };
   // In the axes of the box the segment is centre + t step.
   const Vec3 centre = box.axes.transpose() * (capsule.x - box.x),
@@ -156,7 +163,7 @@ void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Conta
   for (int k = 0; k < 3; ++k)
     if (k != face && beyond[k] <= millionth * box.half_sides.minCoeff())
       along.clip(centre[k], step[k], box.half_sides[k]);
-  add_contacts(lowest, along, contact_at, contacts);
+  add_along(lowest, along, contact_at, contacts);
 }
 
 }  // namespace spook

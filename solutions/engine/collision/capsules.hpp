@@ -10,6 +10,7 @@
 //
 // Not in the notes.
 #include "08_pairs/pairs.hpp"
+#include "engine/bodies/capsule.hpp"
 
 namespace spook {
 
@@ -25,18 +26,21 @@ struct PlacedCapsule {
   Ball ball(double t) const { return {.body = body, .x = x + t * half_length * axis, .radius = radius}; }
 };
 
+/// Returns a capsule at the position and orientation of its body, its radius grown by `grown` [m].
+PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q, double grown);
+
 Bounds bounds(const PlacedCapsule& capsule);
 
 /// Appends the contacts of a plane (body i) with a capsule (body j), one for each end that touches.
-void plane_capsule(const Plane& plane, const PlacedCapsule& capsule, std::vector<Contact>& contacts);
+void add_contacts(const Plane& plane, const PlacedCapsule& capsule, std::vector<Contact>& contacts);
 
 /// Appends the contact of a capsule (body i) with a ball (body j), if they touch.
-void capsule_ball(const PlacedCapsule& capsule, const Ball& ball, std::vector<Contact>& contacts);
+void add_contacts(const PlacedCapsule& capsule, const Ball& ball, std::vector<Contact>& contacts);
 
 /// Appends the contacts of two capsules, three at most.
-void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts);
+void add_contacts(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts);
 
 /// Appends the contacts of a box (body i) with a capsule (body j), three at most.
-void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Contact>& contacts);
+void add_contacts(const Box& box, const PlacedCapsule& capsule, std::vector<Contact>& contacts);
 
 }  // namespace spook

@@ -36,40 +36,29 @@ void Shapes::remove(int body) {
   exclusions.remove(body);
   smallest = infinity;
   for (const Solid& solid : solids)
-    if (!solid.is_static)
-      smallest =
-          std::min(smallest, match(solid.shape, [](const auto& shape) { return size_of(Shape(shape)); }));
-  for (const Corners& set : corners) smallest = std::min(smallest, size_of(Shape(PointSet{set.points})));
+    if (!solid.is_static) smallest = std::min(smallest, size_of(solid.shape));
+  for (const Corners& set : corners) smallest = std::min(smallest, PointSet{set.points}.size());
 }
 
 namespace {
 
+Ball place(const Sphere& sphere, int body, const Vec3& x, const Quat&, double grown) {
+  return {.body = body, .x = x, .radius = sphere.radius + grown};
+}
+
+Box place(const Cuboid& box, int body, const Vec3& x, const Quat& q, double grown) {
+  return {
+      .body = body, .x = x, .axes = q.toRotationMatrix(), .half_sides = box.half_sides + Vec3::Constant(grown)};
+}
+
 /// Returns a solid at its current position, grown by `grown`.
 template <int Dof>
 PlacedSolid placed(const Solid& solid, const Bodies<Dof>& bodies, double grown) {
-  const int body = solid.body;
-  const Vec3& x = bodies.x[static_cast<std::size_t>(body)];
-  Mat3 axes = Mat3::Identity();
-  const auto turn = [&] {
-    if constexpr (Dof == 6) axes = bodies.orientations.q[static_cast<std::size_t>(body)].toRotationMatrix();
-  };
-  return match(
-      solid.shape,
-      [&](const Sphere& sphere) -> PlacedSolid {
-        return Ball{.body = body, .x = x, .radius = sphere.radius + grown};
-      },
-      [&](const Capsule& capsule) -> PlacedSolid {
-        turn();
-        return PlacedCapsule{.body = body,
-                             .x = x,
-                             .axis = axes.col(2),
-                             .radius = capsule.radius + grown,
-                             .half_length = capsule.half_length};
-      },
-      [&](const Cuboid& box) -> PlacedSolid {
-        turn();
-        return Box{.body = body, .x = x, .axes = axes, .half_sides = box.half_sides + Vec3::Constant(grown)};
-      });
+  const auto body = static_cast<std::size_t>(solid.body);
+  const Quat& q = bodies.orientations.of(body);
+  return match(solid.shape, [&](const auto& shape) -> PlacedSolid {
+    return place(shape, solid.body, bodies.x[body], q, grown);
+  });
 }
 
 Bounds bounds_of(const PlacedSolid& solid) {
@@ -86,45 +75,37 @@ void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) 
   if (contact) contacts.push_back(*contact);
 }
 
-void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& contacts) {
-  match(
-      solid, [&](const Ball& ball) { add(plane_ball(plane, ball), contacts); },
-      [&](const PlacedCapsule& capsule) { plane_capsule(plane, capsule, contacts); },
-      [&](const Box& box) {
-        const bool in_reach =
-            plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than round-off
-        if (in_reach) plane_box(plane, box, contacts);
-      });
+// Contacts by the functions of chapter 08. Other kinds of solids have them in their own files.
+void add_contacts(const Plane& plane, const Ball& ball, std::vector<Contact>& contacts) {
+  add(plane_ball(plane, ball), contacts);
 }
-
-// The contacts of each pair of kinds of solids; each pair has its own function.
-void meet(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
+void add_contacts(const Plane& plane, const Box& box, std::vector<Contact>& contacts) {
+  const bool in_reach =
+      plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than round-off
+  if (in_reach) plane_box(plane, box, contacts);
+}
+void add_contacts(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
   add(ball_ball(a, b), contacts);
 }
-void meet(const Box& a, const Ball& b, std::vector<Contact>& contacts) {
+void add_contacts(const Box& a, const Ball& b, std::vector<Contact>& contacts) {
   add(box_ball(a, b), contacts);
 }
-void meet(const Box& a, const Box& b, std::vector<Contact>& contacts) {
+void add_contacts(const Box& a, const Box& b, std::vector<Contact>& contacts) {
   box_box(a, b, contacts);
 }
-void meet(const PlacedCapsule& a, const Ball& b, std::vector<Contact>& contacts) {
-  capsule_ball(a, b, contacts);
-}
-void meet(const PlacedCapsule& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
-  capsule_capsule(a, b, contacts);
-}
-void meet(const Box& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
-  box_capsule(a, b, contacts);
+
+void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& contacts) {
+  match(solid, [&](const auto& placed) { add_contacts(plane, placed, contacts); });
 }
 
 /// Appends the contacts of two solids, in the order for which there is a function.
 void touch(const PlacedSolid& one, const PlacedSolid& other, std::vector<Contact>& contacts) {
   std::visit(
       [&](const auto& a, const auto& b) {
-        if constexpr (requires { meet(a, b, contacts); })
-          meet(a, b, contacts);
+        if constexpr (requires { add_contacts(a, b, contacts); })
+          add_contacts(a, b, contacts);
         else
-          meet(b, a, contacts);
+          add_contacts(b, a, contacts);
       },
       one, other);
 }

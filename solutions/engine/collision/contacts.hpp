@@ -83,8 +83,8 @@ class ContactFinder {
   std::vector<PlacedSolid> placed_;  // the solids where they are now, each grown by half the margin
   std::vector<Bounds> bounds_;       // of the solids
   std::vector<Contact> last_;
-  std::vector<Contact>
-      with_ghosts_;  // contacts of the last call before ghosts were removed; empty if there were no ghosts
+  // Contacts of the last call before ghosts were removed; empty if there were no ghosts.
+  std::vector<Contact> with_ghosts_;
   std::vector<std::vector<Contact>> found_;              // by each thread, of two solids
   std::size_t first_of_solids_ = 0, end_of_solids_ = 0;  // range of contacts of two solids
 };

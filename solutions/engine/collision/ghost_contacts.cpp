@@ -55,7 +55,7 @@ class Surfaces {
   /// Returns the smallest size of a solid [m].
   double size(int body) const {
     const auto s = static_cast<std::size_t>(solid_of_[static_cast<std::size_t>(body)]);
-    return match(shapes_.solids[s].shape, [](const auto& shape) { return size_of(Shape(shape)); });
+    return size_of(shapes_.solids[s].shape);
   }
 
   /// Returns the height of the face with normal m [m]; -infinity if there is none.

@@ -5,10 +5,7 @@
 //   hit       the least t at which the ray passes from the outside of a shape into its interior. So a ray that only
 //             touches a surface does not hit it, and a body that contains the origin is not hit
 //   plane     t = (offset - n·o)/(n·u), if n·u < 0
-//   sphere    t = -b - √(R² - c²), with b = o·u from the centre, and c the distance of the centre from the line
-//   capsule   b and c across the segment give the t of an endless cylinder; if x(t) is beyond the end of the segment,
-//             the sphere at that end decides
-//   box       the last t at which the ray enters a slab |x_k| < h_k, if it leaves no slab before
+//   solids    the t of entry(o, u), which the header of each shape derives
 //   points    have no interior, and are not found
 //
 // Results are exact to round-off. A query compares all shapes, each with its exact surface, so its time is proportional

@@ -24,13 +24,8 @@ static Eigen::AlignedBox3d box_around(const std::vector<Vec3>& points) {
 static bool is_inside(const Vec3& point, const Shape& shape) {
   return match(
       shape, [](const NoShape&) { return false; },
-      [&](const Sphere& sphere) { return point.norm() < share_inside * sphere.radius; },
-      [&](const Capsule& capsule) {
-        const double z = std::clamp(point.z(), -capsule.half_length, capsule.half_length);
-        return (point - Vec3(0, 0, z)).norm() < share_inside * capsule.radius;
-      },
-      [&](const Cuboid& box) { return is_inside(point, Eigen::AlignedBox3d(-box.half_sides, box.half_sides)); },
-      [&](const PointSet& set) { return is_inside(point, box_around(set.points)); });
+      [&](const PointSet& set) { return is_inside(point, box_around(set.points)); },
+      [&](const auto& solid) { return solid.signed_distance(point) < -(1 - share_inside) * solid.size(); });
 }
 
 /// Tells whether the centre of body i, or one of its points, is inside body j.
@@ -53,15 +48,6 @@ static bool reaches_into(const Bodies<Dof>& bodies, const std::vector<Shape>& sh
   return point_is_inside(Vec3::Zero());
 }
 
-/// Returns the radius of a ball around the centre of a body that has the whole body in it [m]; 0 without a shape.
-static double reach(const Shape& shape) {
-  return match(
-      shape, [](const NoShape&) { return 0.0; }, [](const Sphere& sphere) { return sphere.radius; },
-      [](const Capsule& capsule) { return capsule.radius + capsule.half_length; },
-      [](const Cuboid& box) { return box.half_sides.norm(); },
-      [](const PointSet& set) { return size_of(set); });
-}
-
 template <int Dof>
 std::optional<std::pair<int, int>> find_passing_points(const World<Dof>& world,
                                                        const std::vector<Shape>& shapes) {
@@ -71,7 +57,7 @@ std::optional<std::pair<int, int>> find_passing_points(const World<Dof>& world,
   std::vector<int> numbers;
   std::vector<Bounds> bounds;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Vec3 far = Vec3::Constant(reach(shapes[i]));
+    const Vec3 far = Vec3::Constant(reach_of(shapes[i]));
     if (far.isZero(0)) continue;
     numbers.push_back(static_cast<int>(i));
     bounds.push_back({bodies.x[i] - far, bodies.x[i] + far});

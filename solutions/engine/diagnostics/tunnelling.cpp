@@ -8,53 +8,41 @@
 
 namespace spook {
 
-/// Returns the half sides of a box around a solid, along its axes; 0 for other bodies.
-static Vec3 half_sides_of(const Shape& shape) {
-  return match(
-      shape, [](const Sphere& sphere) -> Vec3 { return Vec3::Constant(sphere.radius); },
-      [](const Capsule& capsule) -> Vec3 {
-        return Vec3(capsule.radius, capsule.radius, capsule.radius + capsule.half_length);
-      },
-      [](const Cuboid& box) { return box.half_sides; }, [](const NoShape&) -> Vec3 { return Vec3::Zero(); },
-      [](const PointSet&) -> Vec3 { return Vec3::Zero(); });
+static bool has_interior(const Shape& shape) {
+  return match(shape, []<class Type>(const Type&) { return HasInterior<Type>; });
 }
 
-/// Tells whether the shape contains a point in its axes. A capsule counts as its box.
+/// Tells whether the shape contains a point in its axes.
 static bool contains(const Shape& shape, const Vec3& x) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return x.norm() <= sphere->radius;
-  return (x.cwiseAbs().array() <= half_sides_of(shape).array()).all();
+  return match(shape, [&]<class Type>(const Type& solid) {
+    if constexpr (HasInterior<Type>) return solid.signed_distance(x) <= 0;
+    return false;
+  });
 }
 
 /// Tells whether the straight way from `start`, outside the shape, to `end` enters it, all in the shape's axes.
 static bool enters(const Shape& shape, const Vec3& start, const Vec3& end) {
-  const Vec3 half = half_sides_of(shape), way = end - start;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    const double nearest = std::clamp(-start.dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (start + nearest * way).norm() < sphere->radius;
-  }
-  double in = 0, out = 1;  // the part of the way inside all slabs
-  for (int axis = 0; axis < 3; ++axis) {
-    if (way[axis] == 0) {
-      if (std::abs(start[axis]) > half[axis]) return false;
-      continue;
+  const double length = (end - start).norm();
+  if (length == 0) return false;
+  return match(shape, [&]<class Type>(const Type& solid) {
+    if constexpr (HasInterior<Type>) {
+      const std::optional<LineEntry> in = solid.entry(start, (end - start) / length);
+      return in && in->t >= 0 && in->t < length;
     }
-    const double one = (-half[axis] - start[axis]) / way[axis], other = (half[axis] - start[axis]) / way[axis];
-    in = std::max(in, std::min(one, other));
-    out = std::min(out, std::max(one, other));
-  }
-  return in < out;
+    return false;
+  });
 }
 
-/// Returns the turn of a body in the last step, as a rotation vector in world coordinates [rad]. Turns that move nothing
-/// are left out: all those of a sphere, and those of a capsule about its axis.
+/// Returns the turn of a body's surface in the last step, as a rotation vector in world coordinates [rad].
 template <int Dof>
 static Vec3 turn_of(const Bodies<Dof>& bodies, std::size_t body, const Shape& shape, double h) {
   if constexpr (Dof == 6) {
-    if (std::holds_alternative<Sphere>(shape)) return Vec3::Zero();
-    const Vec3 turn = h * bodies.motion.W[body].template tail<3>();
-    if (!std::holds_alternative<Capsule>(shape)) return turn;
-    const Vec3 axis = bodies.orientations.q[body] * Vec3::UnitZ();
-    return turn - turn.dot(axis) * axis;
+    const Quat& q = bodies.orientations.q[body];
+    const Vec3 turn = q.conjugate() * (h * bodies.motion.W[body].template tail<3>());
+    return match(shape, [&]<class Type>(const Type& solid) -> Vec3 {
+      if constexpr (HasInterior<Type>) return q * solid.visible_turn(turn);
+      return Vec3::Zero();
+    });
   }
   return Vec3::Zero();
 }
@@ -105,15 +93,15 @@ std::optional<Tunnelling> find_tunnelling(const World<Dof>& world, const std::ve
   bool any = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     turns.push_back(turn_of(bodies, i, shapes[i], h));
-    const double far = half_sides_of(shapes[i]).norm();
-    if (far == 0) continue;
+    if (!has_interior(shapes[i])) continue;
+    const double far = reach_of(shapes[i]);
     solids.push_back(static_cast<int>(i));
     any = any || (bodies.x[i] - before[i]).norm() + turns[i].norm() * far > searches * sizes[i];
   }
   if (!any) return {};
   std::vector<Bounds> ways;
   for (const int i : solids) {
-    const Vec3 far = Vec3::Constant(half_sides_of(shapes[i]).norm());
+    const Vec3 far = Vec3::Constant(reach_of(shapes[i]));
     ways.push_back({bodies.x[i].cwiseMin(before[i]) - far, bodies.x[i].cwiseMax(before[i]) + far});
   }
   std::vector<Joint> rigid;

@@ -44,10 +44,7 @@ std::size_t hash_of_build(const World<Dof>& world) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     add(bodies.is_fixed(i), bodies.mass[i], shapes[i].index());
     if constexpr (Dof == 6) add(bodies.orientations.principal[i]);
-    match(
-        shapes[i], [](const NoShape&) {}, [&](const Sphere& sphere) { add(sphere.radius); },
-        [&](const Capsule& capsule) { add(capsule.radius, capsule.half_length); },
-        [&](const Cuboid& box) { add(box.half_sides); }, [&](const PointSet& set) { add(set.points); });
+    match(shapes[i], [&](const auto& shape) { std::apply(add, shape.numbers()); });
   }
   for (const Plane& plane : world.shapes().planes) add(plane.body);
   for (const Joint& joint : world.joints())
