@@ -13,7 +13,9 @@
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
 // largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
 //
-// A given accuracy replaces all of these shares, 1e-3, 1e-6 and 3e-3, by one.
+// Factors may fail. The more one factorisation costs, the fewer are made: 30 to 300.
+//
+// A given accuracy replaces all of these shares by one.
 //
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
@@ -160,8 +162,9 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;  // in sweeps
-  static constexpr double share_may_be_left = 0.1;    // of the approach of moving contacts
+  static constexpr double worth_of_a_solution = 100;     // in allowed sweeps
+  static constexpr double worth_of_all_attempts = 2400;  // as above, where attempts fail
+  static constexpr double share_may_be_left = 0.1;       // of the approach of moving contacts
 
   /// The residuals that suffice.
   struct Shares {
@@ -226,7 +229,7 @@ class Automatic {
     // On cones λ of the last step may be a solution still, which a sweep shows.
     if (at_once || (hard && part.friction.empty())) {
       start_from(part.last, part.rows, part.V);
-      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island);
+      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), sweeps, island);
     }
     const int most = hard ? 1 : moves ? 2 * s.stop.max_sweeps : s.stop.max_sweeps;
     SolverResult swept = this->swept(part, {.max_sweeps = most, .tolerance = s.stop.tolerance});
@@ -237,7 +240,7 @@ class Automatic {
         if (moves_i(s.rows()[k])) hard_[s.rows()[k].i] = true;
         if (moves_j(s.rows()[k])) hard_[s.rows()[k].j] = true;
       }
-    return append(std::move(swept), factorised(part, enough(part, s.stop), island), part.rows.size());
+    return append(std::move(swept), factorised(part, enough(part, s.stop), sweeps, island), part.rows.size());
   }
 
   double enough(const IslandView& part, const StopRule& stop) const {
@@ -260,14 +263,17 @@ class Automatic {
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
-  /// Solves to `enough` [m/s].
-  SolverResult factorised(const IslandView& part, double enough, Island<Dof>& island) const {
+  /// Solves to `enough` [m/s]. `allowed` sweeps would cost less.
+  SolverResult factorised(const IslandView& part, double enough, double allowed, Island<Dof>& island) const {
     if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, enough, {.suffices = part.approach > 0 ? 0 : shares_.left});
+    const double worth = worth_of_all_attempts * allowed / *island.cost;
+    return solve_on_cones(problem, enough,
+                          {.most = static_cast<int>(std::clamp(worth, 30.0, 300.0)),
+                           .suffices = part.approach > 0 ? 0 : shares_.left});
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

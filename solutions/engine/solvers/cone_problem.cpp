@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "09_better_friction/cone_rows.hpp"
+#include "engine/solvers/anderson.hpp"
 #include "engine/solvers/solver_result.hpp"
 
 namespace spook {
@@ -12,7 +13,12 @@ ConeProblem<Dof>::ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof
                               const std::vector<FrictionContact>& friction,
                               const std::vector<InverseMass<Dof>>& inverse_mass,
                               ContactVelocitySystem<Dof>& system)
-    : rows_(rows), V_(V), friction_(friction), system_(system), rhs_norm_(spook::rhs_norm(rows)) {
+    : rows_(rows),
+      V_(V),
+      friction_(friction),
+      inverse_mass_(inverse_mass),
+      system_(system),
+      rhs_norm_(spook::rhs_norm(rows)) {
   system_.begin(rows, inverse_mass);
   auto contact = friction.begin();
   for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(blocks_.back().count)) {
@@ -61,6 +67,12 @@ template <int Dof>
 void ConeProblem<Dof>::sweep(int count) {
   for (int n = 0; n < count; ++n) sweep_on_cones(friction_, rows_, V_);
   sweeps_ += count;
+}
+
+template <int Dof>
+void ConeProblem<Dof>::accelerated_sweeps(int most, double tolerance) {
+  const StopRule stop{.max_sweeps = most, .tolerance = tolerance};
+  sweeps_ += std::ssize(anderson_solve(friction_, rows_, V_, inverse_mass_, stop).history);
 }
 
 template <int Dof>

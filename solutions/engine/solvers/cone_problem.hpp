@@ -44,6 +44,8 @@ class ConeProblem {
   std::vector<double> impulses() const;
   void set_impulses(const std::vector<double>& lambda);  ///< also updates V
   void sweep(int count);                                 ///< Eq. (4.7), (9.6)
+  /// Makes accelerated sweeps, Eq. (10.14), until one changes contacts by at most the tolerance [m/s].
+  void accelerated_sweeps(int most, double tolerance);
   std::int64_t row_updates() const { return sweeps_ * std::ssize(rows_); }
 
   /// Projects each contact: on its bounds, then on the disc of Eq. (9.4).
@@ -59,6 +61,7 @@ class ConeProblem {
   std::vector<Row<Dof>>& rows_;
   std::vector<Twist<Dof>>& V_;
   const std::vector<FrictionContact>& friction_;
+  const std::vector<InverseMass<Dof>>& inverse_mass_;
   ContactVelocitySystem<Dof>& system_;
   std::vector<ContactBlock> blocks_;
   double rhs_norm_;

@@ -26,8 +26,8 @@ class Attempts {
     start_ = best_ = problem_.impulses();
     const double first = problem_.residual();
     const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || is_accurate() ||
-                        from_within(infinity) || (is_coarse() && by_sweeps()) || from_within(0.3) ||
-                        from_within(0.1) || from_within(0.03) || by_sweeps();
+                        from_within(infinity) || accelerated() || from_within(0.3) || from_within(0.1) ||
+                        from_within(0.03) || by_sweeps_and_newton();
     if (report_.history.empty()) report_.history.push_back(first);
     report_.converged = solved;
     return std::move(report_);
@@ -62,10 +62,19 @@ class Attempts {
     return end_with_best();
   }
 
+  /// Makes accelerated sweeps from the best λ so far, where they reach what is enough sooner than lagged limits do.
+  bool accelerated() {
+    constexpr int sweeps = 300;
+    if (!is_coarse()) return false;
+    problem_.set_impulses(best_);
+    problem_.accelerated_sweeps(sweeps, suffices());
+    keep(problem_.residual());
+    return end_with_best();
+  }
+
   /// Alternates sweeps and Newton's method, from the best λ so far.
-  bool by_sweeps() {
-    constexpr int sweeps = 20, factorisations = 4;
-    const int rounds = is_coarse() ? 24 : 8;
+  bool by_sweeps_and_newton() {
+    constexpr int rounds = 8, sweeps = 20, factorisations = 4;
     for (int round = 0; round < rounds && remaining() > 0; ++round) {
       problem_.sweep(sweeps);
       const std::vector<double> swept = problem_.impulses();
@@ -86,7 +95,6 @@ class Attempts {
   double suffices() const { return part(std::max(share_lagged, effort_.suffices)); }
   bool is_enough() const { return tried_within_ && least_ <= suffices(); }
 
-  /// Tells whether sweeps reach what is enough sooner than lagged limits do.
   bool is_coarse() const { return suffices() >= 1e-4 * problem_.rhs_norm(); }
 
   /// Returns to the best λ, and tells whether it is enough. The last entry of the history is the residual of λ.

@@ -4,10 +4,9 @@
 //   a sweep          from the current λ: bodies at rest are solved by it
 //   Newton           engine/solvers/cone_newton.hpp, as long as the residual falls
 //   interior point   engine/solvers/cone_interior_point.hpp, with current friction limits
-//   sweeps           alternating with Newton, from the best λ so far; only if 1e-4 of the largest |B| is enough.
-//                    Then there may be 480 of them, since they are cheaper than lagged limits
+//   sweeps           accelerated, Eq. (10.14), from the best λ so far; only if 1e-4 of the largest |B| is enough
 //   interior point   with lagged friction limits, three times
-//   sweeps           as before, but at most 160 if 1e-4 of the largest |B| is not enough
+//   sweeps           alternating with Newton, from the best λ so far
 #include "engine/solvers/cone_problem.hpp"
 #include "engine/solvers/solver_result.hpp"
 
