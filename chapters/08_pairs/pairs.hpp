@@ -86,8 +86,8 @@ struct SeparatingAxis {
 
 /// Exercise 8.5. Finds the one of 15 axes along which two boxes overlap least: Eq. (8.6), (8.7); not in the notes.
 ///
-/// Ties are broken so that round-off does not choose between faces that lie on each other. Let the margin be a
-/// millionth of the smallest of all six half sides. Take the best face of i, that of j, and the best pair of edges; of
+/// Ties are broken so that round-off and sag do not choose between faces that lie on each other. Let the margin be a
+/// thousandth of the smallest of all six half sides. Take the best face of i, that of j, and the best pair of edges; of
 /// faces that are equal within the margin, the first counts. Start with the face of i. The face of j replaces it only
 /// if its gap is larger by more than the margin plus 5 per cent of the first gap. By the same rule the edges may
 /// replace the face that is kept. Parallel edges, |e × e'| <= 1e-6, have no axis. If axes have g > 0, returns any of
@@ -101,10 +101,10 @@ std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double o
 
 /// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in the
 /// notes. Four or fewer stay unchanged. Of more contacts, not all on one line, four are kept. The deepest is among
-/// them, or one that is less deep by at most a millionth of the largest distance from the mean. The mean of all points
-/// is within the four, to round-off. They span at least half the largest area of Eq. (8.10). Round-off does not decide.
+/// them, or one that is less deep by at most 0.003 of the largest distance from the mean. The mean of all points is
+/// within the four, to round-off. They span at least half the largest area of Eq. (8.10). Round-off does not decide.
 /// If several contacts are equally deep, or several choices of four have equal areas, the choice stays the same when
-/// gaps and points change by 1e-9 of the distances.
+/// points change by 1e-9 of the distances, and gaps by 1e-3.
 std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 
 /// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
@@ -112,7 +112,8 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 ///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
 ///            of the four sides around the reference face. well_spread keeps four of its corners with g <= 0
 ///   edges    one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
-///   neither  if clipping leaves no corner: one contact, at the corner of the other box that is deepest along n
+///   neither  if clipping leaves no corner: a contact at the corner of the other box that is deepest along n, and one at
+///            each corner of the incident face that is less deep by a thousandth of the smallest half side at most
 /// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not
 /// clipped. Where the rules treat i and j differently, the box with the lower body number takes the role of i:
 /// box_box(j, i) equals box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the

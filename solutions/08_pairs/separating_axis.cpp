@@ -38,7 +38,7 @@ SeparatingAxis from_i_to_j(const Found& axis, const Box& i, const Box& j) {
 /// In the axes of i its own axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1), and those of j the columns of C. So n·e_k are
 /// numbers of C, and of all faces of a box (8.6) is one line.
 SeparatingAxis separating_axis(const Box& i, const Box& j) {
-  const double margin = 1e-6 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
+  const double margin = 1e-3 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
   const Vec3 &a = i.half_sides, &b = j.half_sides;
   const Mat3 C = i.axes.transpose() * j.axes, C_abs = C.cwiseAbs();
   const Vec3 apart = i.axes.transpose() * (j.x - i.x), apart_j = C.transpose() * apart;

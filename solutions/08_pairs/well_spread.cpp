@@ -8,6 +8,9 @@ namespace spook {
 
 namespace {
 
+/// Gaps with a difference of less than this, in distances from the mean, are equal. At rest they differ by what bodies sag.
+constexpr double as_deep = 3e-3;
+
 /// A contact relative to the mean of all contacts.
 struct Seen {
   const Contact* contact;
@@ -65,7 +68,7 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) mean += contact.r_i / static_cast<double>(contacts.size());
   double extent = 0;
   for (const Contact& contact : contacts) extent = std::max(extent, (contact.r_i - mean).norm());
-  const std::vector<Seen> ring = around_the_mean(contacts, mean, choose_deepest(contacts, 1e-6 * extent));
+  const std::vector<Seen> ring = around_the_mean(contacts, mean, choose_deepest(contacts, as_deep * extent));
 
   Four best{};
   double largest = -infinity;

@@ -54,7 +54,7 @@ double smallest(const Box& i, const Box& j) {
 
 /// By how much an axis has to be better than another to take its place.
 double margin(double gap, const Box& i, const Box& j) {
-  return 0.05 * std::abs(gap) + 1e-6 * smallest(i, j);
+  return 0.05 * std::abs(gap) + 1e-3 * smallest(i, j);
 }
 
 /// Two choices by a margin, and one among the faces of a box: the axis may be behind the best by three of them.
@@ -67,13 +67,13 @@ void expect_best(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
           show(faces_j) + ", of the edges " + show(edges),
       "Eq. (8.7)", got.gap,
       best - 3 * margin(best, i, j) - roundings(64, i.half_sides.norm() + j.half_sides.norm()).value,
-      "the largest, less 5 per cent of it and a millionth of the smallest half side at each choice",
+      "the largest, less 5 per cent of it and a thousandth of the smallest half side at each choice",
       std::abs(got.gap - faces) <= 1e-12 * std::abs(faces) && edges > faces
           ? "This is the best of the faces; the axes across an edge of each are left out, or held "
             "to too large a margin."
           : "The least deep has the largest gap, the one nearest to zero. What another has to be "
             "better by is 5 per "
-            "cent of the gap, and a millionth of the smallest half side of the two boxes.");
+            "cent of the gap, and a thousandth of the smallest half side of the two boxes.");
 }
 
 /// Expects a unit vector from i to j, with the gap and the edges that belong to this axis.
@@ -195,7 +195,7 @@ EXERCISE_TEST(SeparatingAxis, IsTheBestOfFifteen) {
           (kind == 1 ? "g of a face of j, where the best of i's has " : "g of edges, where the face has ") +
               show(before) + " [m]",
           "Eq. (8.7)", got.gap, before + margin(before, i, j) - 2e-6 * smallest(i, j),
-          "larger by 5 per cent and a millionth of the smallest half side",
+          "larger by 5 per cent and a thousandth of the smallest half side",
           "Faces of i come first, then those of j, then edges: each takes the place of what was there "
           "only by a margin.");
     if (::testing::Test::HasFailure()) return;
@@ -244,9 +244,9 @@ EXERCISE_TEST(SeparatingAxis, TakesTheFirstOfFacesThatAreAlike) {
       Box beside = cube;
       beside.x = size * (Vec3(1.9, 1.9, trial % 2 ? 1.9 : 0) + random.vector(1e-9));
       const std::string clue =
-          "Faces of one box that are alike, to a millionth of the smallest half side: the first one stays, and "
-          "roundings "
-          "don't choose.";
+          "Faces of one box that are alike, to a thousandth of the smallest half side: the first one stays, "
+          "and "
+          "roundings don't choose.";
       given() =
           "given two cubes that overlap in a corner, to a billionth of their size alike in each direction: " +
           describe(beside);
@@ -276,10 +276,10 @@ EXERCISE_TEST(SeparatingAxis, TouchingIsNotApart) {
     given() = "given two cubes of 2 m with straight sides, the second at " + show(x) + " from the first";
     const auto got = separating_axis(cube, other);
     if (!expect_sound(got, cube, other)) return;
-    expect_true(
-        "face_i = " + std::to_string(got.face_i) + ": face " + std::to_string(face) + " of i is taken",
-        "Eq. (8.7)", got.face_i == face,
-        "Only a gap above 0 parts them. With a gap of 0 the others are alike, to a millionth, and not better.");
+    expect_true("face_i = " + std::to_string(got.face_i) + ": face " + std::to_string(face) + " of i is taken",
+                "Eq. (8.7)", got.face_i == face,
+                "Only a gap above 0 parts them. With a gap of 0 the others are alike, to a thousandth, and not "
+                "better.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -295,7 +295,7 @@ EXERCISE_TEST(SeparatingAxis, MeasuresItsMarginsByTheThinnestSide) {
     expect_near(
         "g [m]", "Eq. (8.7)", got.gap, -3e-7, {1e-14, "roundings of the cube's side"},
         {{-8e-7,
-          "This is along x. Half a micrometre is more than a millionth of the smallest half side of the "
+          "This is along x. Half a micrometre is more than a thousandth of the smallest half side of the "
           "two boxes: of the cube it would be less."}},
         "They overlap by 0.3 micrometres along z, and by more along x.");
     if (::testing::Test::HasFailure()) return;
@@ -513,15 +513,17 @@ EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
   Random random;
   const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
   for (int trial = 0; trial < 600 && !::testing::Test::HasFailure(); ++trial) {
-    // So little that 5 per cent of it are less than what it trembles by: the millionth has to hold the face then.
-    const double depth = trial % 2 ? 1e-3 : 2e-9;
+    // So little that 5 per cent of it are less than what it trembles by: the thousandth has to hold the face then. And
+    // as much as a box tilts that sags at one side.
+    const bool sags = trial % 4 == 3;
+    const double depth = sags ? 2e-4 : trial % 2 ? 1e-3 : 2e-9, trembles = sags ? 1e-4 : 1e-9;
     Box j{.body = 1, .x = Vec3(0.3, 0.2, 1 - depth), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
     if (trial > 200) j = turned(j, trial > 400 ? random.uniform(-3, 3) : std::numbers::pi / 4, Vec3::UnitZ());
-    j.x += random.vector(1e-9);
-    const double angle = random.uniform(-1e-9, 1e-9);
+    j.x += random.vector(trembles);
+    const double angle = random.uniform(-trembles, trembles);
     j = turned(j, angle, random.unit_vector());
-    given() =
-        "given a box that lies on another, " + show(depth) + " m deep, and trembles by 1e-9: " + describe(j);
+    given() = "given a box that lies on another, " + show(depth) + " m deep, and trembles by " +
+              show(trembles) + ": " + describe(j);
     const auto got = separating_axis(i, j);
     if (!expect_sound(got, i, j)) return;
     expect_true(
