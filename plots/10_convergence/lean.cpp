@@ -130,7 +130,7 @@ Experiment experiment(Size size) {
       size == Size::quick ? std::vector<int>{10} : std::vector<int>{2, 5, 10, 20, 50, 100};
   for (const std::string order : {"up", "down", "random step", "random sweep"})
     for (const int sweeps : counts)
-      for (int seed = 1; seed <= (order.starts_with("random") ? 5 : 1); ++seed)
+      for (int seed = 1; seed <= (order.starts_with("random") ? 20 : 1); ++seed)
         e.points.push_back({order + " " + std::to_string(sweeps) + " " + std::to_string(seed),
                             [=] { return lean(order, sweeps, seed); }});
   e.check = check;

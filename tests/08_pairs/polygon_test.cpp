@@ -454,6 +454,9 @@ EXERCISE_TEST(WellSpread, TakesAnyNumber) {
   for (int k = 2; k >= 0; --k) contacts.push_back(at(middle + corners[k], k == 0 ? -0.2 : -0.01));
   if (!::testing::Test::HasFailure())
     expect_well_spread(contacts, "a crowd of 70, and four corners at the end of the list");
+  contacts.push_back(at(middle + balance, -0.3));
+  if (!::testing::Test::HasFailure())
+    expect_well_spread(contacts, "the same, and the deepest in the crowd, the last of the list");
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {

@@ -25,6 +25,15 @@ inline void state_of(StateStream& s, Tangents& tangents) {
 
 class WarmStartCache {
  public:
+  /// Removes all impulses.
+  void forget() {
+    joints_.clear();
+    contact_rows_.clear();
+    contacts_.clear();
+    tangents_.clear();
+    h_ = 0;
+  }
+
   /// Stores the impulses of a finished step.
   template <int Dof>
   void remember(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts, double h,

@@ -198,11 +198,13 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
     const double lambda = world.lambda(c);
     if (soft) {
-      if (lambda > 0) note_sag("the contact of " + pair_of(contact), -contact.gap, size, "more substeps");
+      if (lambda > 0 && is_first_sag(-contact.gap, size))
+        note_sag("the contact of " + pair_of(contact), -contact.gap, size, "more substeps");
     } else if (-contact.gap > share_of_size * size) {
       const double k = world.materials().of(contact.i, contact.j).k;
-      note_sag("the contact of " + pair_of(contact), std::min(lambda / (h * k), -contact.gap), size,
-               "a larger k than " + text(k) + " N/m");
+      const double sag = std::min(lambda / (h * k), -contact.gap);
+      if (is_first_sag(sag, size))
+        note_sag("the contact of " + pair_of(contact), sag, size, "a larger k than " + text(k) + " N/m");
     }
     if (-contact.gap <= std::max(1.0, deepest) * size) continue;
     const PairMaterial touching = world.materials().of(contact.i, contact.j);
@@ -254,7 +256,7 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
   const bool soft = world.settings().soft_steps.has_value();
   for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
-    const std::string name = "joint " + std::to_string(n);
+    const auto name = [n] { return "joint " + std::to_string(n); };
     const JointGap gap = gap_of(joint, world.bodies());
     double force = 0, torque = 0;
     for (int row = 0; row < joint.holding_rows(); ++row) {
@@ -264,17 +266,23 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
     const bool has_k = !(soft && joint.has_default_k);
     const double size = size_of(joint), sag = has_k ? force / *joint.k : 0;
     if (size > 0 && gap.apart.norm() - sag > size)
-      return find(State::lost, world, name + " is off by " + text(gap.apart.norm()) + " m, more than its size");
-    if (size > 0 && has_k)
-      note_sag(name, std::min(sag, gap.apart.norm()), size, "a larger k than " + text(*joint.k) + " N/m");
+      return find(State::lost, world,
+                  name() + " is off by " + text(gap.apart.norm()) + " m, more than its size");
+    if (const double given = std::min(sag, gap.apart.norm()); size > 0 && has_k && is_first_sag(given, size))
+      note_sag(name(), given, size, "a larger k than " + text(*joint.k) + " N/m");
     if (joint.is_guided() && gap.turned.norm() - torque / *joint.k_turn > 1)
-      return find(State::lost, world, name + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
+      return find(State::lost, world,
+                  name() + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
   }
 }
 
 template <int Dof>
+bool RunCheck<Dof>::is_first_sag(double sag, double size) const {
+  return sag > share_of_size * size && !has(Note::sag) && sag_.empty();
+}
+
+template <int Dof>
 void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, const std::string& remedy) {
-  if (has(Note::sag) || !sag_.empty() || !(sag > share_of_size * size)) return;
   sagged_ = sag / size;
   sag_ = what + " gives by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
          " m: " + remedy + " would hold it";

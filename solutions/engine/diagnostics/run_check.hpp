@@ -99,6 +99,7 @@ class RunCheck {
   void look_at_energy(const World<Dof>& world, double h);
   void look_at_motion(const World<Dof>& world, double h);
   void look_at_joints(const World<Dof>& world, double h);
+  bool is_first_sag(double sag, double size) const;
   void note_sag(const std::string& what, double sag, double size, const std::string& remedy);
   enum class Note { sag, tunnelling, points, late, joints, contradiction, nothing_moves };
   bool has(Note kind) const { return (noted_ >> static_cast<unsigned>(kind) & 1u) != 0; }

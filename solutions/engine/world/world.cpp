@@ -40,9 +40,10 @@ void World<Dof>::take_step(double h) {
   impacts_.clear();
   work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
-  divide_steps(h);
-  if (settings_.soft_steps) return step_softly(h);
   const bool divides = may_divide_steps();
+  divide_steps(h, divides);
+  if (settings_.soft_steps) return step_softly(h);
+  if (!divides && parts_ == 1) return step_part(h);
   if (divides) remember_state();
   SolveReport unsolved{.history = {}, .converged = true};
   for (int part = 0; part < parts_; ++part) {
@@ -68,15 +69,17 @@ void World<Dof>::step_part(double h) {
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
     constraints_.clear();
-    start_ = {};  // it has the impulses of the last step alone
+    start_.forget();  // it has the impulses of the last step alone
   } else {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
   if (!rows().empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   if (!rows().empty() && !settings_.k) clock_.run(Stage::solve, [&] { solve_again(h); });
-  if (recovered_.empty()) add_work_of_drives(V_);  // else solve_again() has added it
-  if constexpr (Dof == 6) part_limits_from_motors(h);
-  force_of_drives_ = force_of_drives(h);
+  if (!rows().empty()) {
+    if (recovered_.empty()) add_work_of_drives(V_);  // else solve_again() has added it
+    if constexpr (Dof == 6) part_limits_from_motors(h);
+  }
+  force_of_drives_ = joints_.empty() ? 0 : force_of_drives(h);
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 

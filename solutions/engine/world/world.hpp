@@ -402,7 +402,7 @@ class World {
   void add_work_of_soft_drives(double h);
   void note_approaches(double h);
   void restitute();
-  void divide_steps(double h);
+  void divide_steps(double h, bool divides);
   bool may_divide_steps() const;
   bool divide_more(double h);
   void remember_state();

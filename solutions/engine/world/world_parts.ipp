@@ -20,12 +20,12 @@ bool World<Dof>::may_divide_steps() const {
 /// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half. What the last
 /// part needed is known; if bodies or motors have been changed since, the step is taken again.
 template <int Dof>
-void World<Dof>::divide_steps(double h) {
+void World<Dof>::divide_steps(double h, bool divides) {
   if (settings_.soft_steps) {
     parts_ = settings_.soft_steps->substeps;
     return;
   }
-  if (!may_divide_steps()) return;
+  if (!divides) return;
   const double needed = rows().empty() ? parts_needed_at_first(h) : parts_per_second_ * h;
   const int parts = rounded_up(needed, settings_.max_parts);
   calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;

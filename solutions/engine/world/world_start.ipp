@@ -22,7 +22,7 @@ template <int Dof>
 void World<Dof>::start_half_step_back(double h) {
   note_start("start_half_step_back", h);
   if (settings_.integrator_order == 4) return;
-  divide_steps(h);
+  divide_steps(h, may_divide_steps());
   h /= parts_;
   evaluate_forces(h);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -106,8 +106,9 @@ void World<Dof>::start_consistently(double h) {
     newton<Dof>(FrictionModel::cone).solve(solver_input(V_, h, StopRule{}));
   }
   h_ = h;
-  if (may_divide_steps()) parts_per_second_ = parts_needed_now(h) / h;  // by these forces
-  divide_steps(h);
+  const bool divides = may_divide_steps();
+  if (divides) parts_per_second_ = parts_needed_now(h) / h;  // by these forces
+  divide_steps(h, divides);
   h_ = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / (2 * parts_);
   forget_the_last_step();
