@@ -112,8 +112,8 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 ///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
 ///            of the four sides around the reference face. well_spread keeps four of its corners with g <= 0
 ///   edges    one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
-///   neither  if clipping leaves no corner: a contact at the corner of the other box that is deepest along n, and one at
-///            each corner of the incident face that is less deep by a thousandth of the smallest half side at most
+///   neither  if clipping leaves no corner with g <= 0: a contact at each corner of the whole incident face with g <= 0,
+///            or only at the deepest one
 /// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not
 /// clipped. Where the rules treat i and j differently, the box with the lower body number takes the role of i:
 /// box_box(j, i) equals box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the

@@ -43,8 +43,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   std::vector<Vec3> face_of_other = face_towards(other, -n);
   for (Vec3& corner : face_of_other) corner += apart;
   std::vector<Vec3> corners = face_of_other;
-  const double smallest = box.half_sides.cwiseMin(other.half_sides).minCoeff();
-  const double slack = 1e-6 * smallest, sag = 1e-3 * smallest;
+  const double slack = 1e-6 * box.half_sides.cwiseMin(other.half_sides).minCoeff();
   for (int k = 0; k < 3; ++k)
     if (k != face)
       for (const double side : {-1.0, 1.0})
@@ -59,11 +58,9 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
       contacts.push_back({.i = box.body, .j = other.body, .n = n, .gap = gap, .r_i = r, .r_j = r - apart});
   };
   for (const Vec3& corner : corners) add(corner);
-  if (contacts.empty()) {  // one corner, or two at the ends of a level edge
-    const double lowest = n.dot(apart + deepest_corner(other, -n));
-    for (const Vec3& corner : face_of_other)
-      if (n.dot(corner) <= lowest + sag) add(corner);
-  }
+  // Beside the face: its lowest corner, or two at the ends of a level edge.
+  if (contacts.empty())
+    for (const Vec3& corner : face_of_other) add(corner);
   if (contacts.size() <= 4) return contacts;
   return well_spread(contacts);
 }
