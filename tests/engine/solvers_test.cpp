@@ -323,7 +323,7 @@ World<6> heap(int number) {
   for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
     world.add_plane(inwards, -2.4);
   for (int n = 0; n < 27; ++n) {
-    const auto any = [&](int k) { return std::sin(100.0 * number + 7 * n + 2.3 * k); };
+    const auto any = [&](int which) { return std::sin(100.0 * number + 7 * n + 2.3 * which); };
     world.add({.x = Vec3(1.75 * (n % 2 - 0.5) + 0.03 * any(0), 1.75 * (n / 2 % 2 - 0.5) + 0.03 * any(1),
                          1 + 1.8 * (n / 4)),
                .q = Quat(1 + 0.3 * any(2), 0.5 * any(3), 0.5 * any(4), 0.5 * any(5)).normalized(),
