@@ -541,10 +541,9 @@ bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contac
             ", are the same as before they moved by " + show(1e-9 * size) + " m, and their gaps by " +
             show(sag * size) + " m," + listed(first),
         "Eq. (8.10)", now == first,
-        "Round-off or sag has chosen, so a box would tremble. If points are equally deep to 0.003 of the "
-        "distances, "
-        "choose "
-        "by a fixed rule. Let another four win only if its area is larger by a millionth of their squares.");
+        "Round-off or sag has chosen, so a box would tremble. The deepest may be any whose gap is larger than "
+        "the least by at most 0.003 of the distances. Let another four win only if its area is larger by a "
+        "millionth of their squares.");
     if (::testing::Test::HasFailure()) return false;
   }
   return true;

@@ -245,8 +245,7 @@ EXERCISE_TEST(SeparatingAxis, TakesTheFirstOfFacesThatAreAlike) {
       beside.x = size * (Vec3(1.9, 1.9, trial % 2 ? 1.9 : 0) + random.vector(1e-9));
       const std::string clue =
           "Faces of one box that are alike, to a thousandth of the smallest half side: the first one stays, "
-          "and "
-          "roundings don't choose.";
+          "and roundings don't choose.";
       given() =
           "given two cubes that overlap in a corner, to a billionth of their size alike in each direction: " +
           describe(beside);
@@ -529,10 +528,10 @@ EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
     expect_true(
         "the upper face of i is met: face_i = " + std::to_string(got.face_i) + ", n = " + show(got.n),
         "Eq. (8.7)", got.face_i == 2 && got.n.z() > 0.5,
-        got.face_j == 2   ? "A face of j is as good as that of i, but for roundings, which must not choose: "
-                            "it has to be better by the margin."
+        got.face_j == 2   ? "A face of j is as good as that of i, but for roundings or sag, which must not "
+                            "choose: it has to be better by the margin."
         : got.edge_i >= 0 ? "Edges that are nearly parallel to the faces are as good as the face, but for "
-                            "roundings, which must not choose: they have to be better by the margin."
+                            "roundings or sag, which must not choose: they have to be better by the margin."
                           : "");
   }
 }

@@ -149,13 +149,10 @@ TEST(Coulomb, ARestingPileNeedsFewSweeps) {
   EXPECT_LE(kinetic_energy(world.bodies()), 1e-9);
 }
 
-// Contacts in motion are others in the next step, so sweeps may end early; where they are slow, factors follow. In a
-// few steps of a thousand no method reaches this share.
+// Contacts in motion are others in the next step, so sweeps may end early; where they are slow, factors follow.
 TEST(Coulomb, AFallingHeapIsSolvedToAShareOfItsApproach) {
   const double h = 0.01;
-  const int steps = 100, heaps = 3;
-  int missed = 0;
-  for (int number = 0; number < heaps; ++number) {
+  for (int number = 0; number < 7; ++number) {
     World<6> world({.friction = 0.5});
     world.add_plane(Vec3::UnitZ(), 0);
     for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
@@ -167,18 +164,16 @@ TEST(Coulomb, AFallingHeapIsSolvedToAShareOfItsApproach) {
               Quat(1, turned.x(), turned.y(), turned.z()).normalized());
     }
     RunCheck<6> check;
-    for (int n = 0; n < steps; ++n) {
+    for (int n = 0; n < 100; ++n) {
       world.step(h);
       check.look(world, h);
       double approach = 0;
       for (std::size_t k = 0; k < world.rows().size(); k += 3)
         approach = std::max(approach, std::abs(world.rows()[k].B));
-      missed += world.report().residual > 3e-3 * approach;
-      EXPECT_LE(world.report().residual, 1e-2 * approach) << "heap " << number << ", step " << n;
+      EXPECT_LE(world.report().residual, 3e-3 * approach) << "heap " << number << ", step " << n;
     }
     EXPECT_EQ(name_of(check.verdict().state), "sound") << check.verdict().reason;
   }
-  EXPECT_LE(missed, heaps * steps / 100);
 }
 
 }  // namespace

@@ -21,10 +21,14 @@
 
 namespace spook {
 
+/// One of several shapes, each with all members that engine/bodies/shape.hpp lists.
+template <HasInterior... Shapes>
+using SolidShape = std::variant<Shapes...>;
+
 /// A shape that touches planes and all other solids, centred on a body.
 struct Solid {
   int body;
-  std::variant<Sphere, Capsule, Cuboid> shape;
+  SolidShape<Sphere, Capsule, Cuboid> shape;
   bool is_static;  ///< two static solids have no contact
 };
 

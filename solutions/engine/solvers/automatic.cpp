@@ -11,7 +11,8 @@
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
-// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it.
+// largest |B| of a normal row. Factors end at 3e-3 of it, and sweeps, up to twice the allowed number, at half of that: a
+// sweep changes contacts by less than the residual that it leaves.
 //
 // Factors may fail. The more one factorisation costs, the fewer are made: 30 to 300.
 //
@@ -163,7 +164,7 @@ class Automatic {
  private:
   static constexpr int calls_until_forgotten = 100;
   static constexpr double worth_of_a_solution = 100;     // in allowed sweeps
-  static constexpr double worth_of_all_attempts = 2400;  // as above, where attempts fail
+  static constexpr double worth_of_all_attempts = 2400;  // in allowed sweeps, of all factors of a solve
   static constexpr double share_may_be_left = 0.1;       // of the approach of moving contacts
 
   /// The residuals that suffice.
@@ -247,6 +248,11 @@ class Automatic {
     return std::max({stop.tolerance, shares_.enough * rhs_norm(part.rows), shares_.moving * part.approach});
   }
 
+  double enough_for_sweeps(const IslandView& part, const StopRule& stop) const {
+    const double residual = enough(part, stop);
+    return part.approach > 0 ? std::max(stop.tolerance, residual / 2) : residual;
+  }
+
   /// Tells whether sweeps made factors unnecessary.
   bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) const {
     if (swept.converged)
@@ -260,10 +266,10 @@ class Automatic {
       return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
     start_from(part.last, part.rows, part.V);
     return anderson_solve(part.friction, part.rows, part.V, part.inverse_mass,
-                          {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
+                          {.max_sweeps = stop.max_sweeps, .tolerance = enough_for_sweeps(part, stop)});
   }
 
-  /// Solves to `enough` [m/s]. `allowed` sweeps would cost less.
+  /// Solves to `enough` [m/s]. `allowed` is the allowed number of sweeps.
   SolverResult factorised(const IslandView& part, double enough, double allowed, Island<Dof>& island) const {
     if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
