@@ -11,8 +11,8 @@
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
-// largest |B| of a normal row. Factors end at 3e-3 of it, and sweeps, up to twice the allowed number, at half of that: a
-// sweep changes contacts by less than the residual that it leaves.
+// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it. A sweep may change
+// contacts by less than the residual that it leaves. Then the sweeps go on to half of this share.
 //
 // Factors may fail. The more one factorisation costs, the fewer are made: 30 to 300.
 //
@@ -248,11 +248,6 @@ class Automatic {
     return std::max({stop.tolerance, shares_.enough * rhs_norm(part.rows), shares_.moving * part.approach});
   }
 
-  double enough_for_sweeps(const IslandView& part, const StopRule& stop) const {
-    const double residual = enough(part, stop);
-    return part.approach > 0 ? std::max(stop.tolerance, residual / 2) : residual;
-  }
-
   /// Tells whether sweeps made factors unnecessary.
   bool is_enough(const SolveReport& swept, const IslandView& part, bool hard) const {
     if (swept.converged)
@@ -265,8 +260,18 @@ class Automatic {
     if (part.friction.empty())
       return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
     start_from(part.last, part.rows, part.V);
-    return anderson_solve(part.friction, part.rows, part.V, part.inverse_mass,
-                          {.max_sweeps = stop.max_sweeps, .tolerance = enough_for_sweeps(part, stop)});
+    const double residual = enough(part, stop);
+    SolverResult swept = accelerated(part, {.max_sweeps = stop.max_sweeps, .tolerance = residual});
+    const int left = stop.max_sweeps - static_cast<int>(swept.report.history.size());
+    const bool misses = part.approach > 0 && swept.report.converged && left > 0 &&
+                        residual_on_cones(part.friction, part.rows, part.V) > residual;
+    if (!misses) return swept;
+    const StopRule closer{.max_sweeps = left, .tolerance = std::max(stop.tolerance, residual / 2)};
+    return append(std::move(swept), accelerated(part, closer), part.rows.size());
+  }
+
+  static SolverResult accelerated(const IslandView& part, const StopRule& stop) {
+    return anderson_solve(part.friction, part.rows, part.V, part.inverse_mass, stop);
   }
 
   /// Solves to `enough` [m/s]. `allowed` is the allowed number of sweeps.
