@@ -2,7 +2,7 @@
 
     sudo python3 tools/bare_machine.py trixie                     # or bookworm, jammy, noble: what debootstrap knows
     sudo python3 tools/bare_machine.py trixie --compiler clang
-    sudo python3 tools/bare_machine.py trixie --only start        # without the tests
+    sudo python3 tools/bare_machine.py trixie --only start test   # without what --all adds
     sudo python3 tools/bare_machine.py bookworm --only container  # what .devcontainer runs, as its user does
 
 Makes the machine with debootstrap, clones what is committed into it, and runs `./course start`, `./course test` and
@@ -88,7 +88,8 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("release", help="a release that debootstrap knows, such as trixie")
     parser.add_argument("--compiler", choices=COMPILERS, default="gcc")
-    parser.add_argument("--only", choices=[*COMMANDS, "container"], help="one of the commands, or the steps of .devcontainer")
+    parser.add_argument("--only", nargs="+", choices=[*COMMANDS, "container"], default=list(COMMANDS),
+                        help="some of the commands, or the steps of .devcontainer")
     parser.add_argument("--folder", type=Path, default=Path("/var/tmp"), help="where the machine is made")
     parser.add_argument("--keep", action="store_true", help="leave the machine there")
     options = parser.parse_args(words)
@@ -123,7 +124,7 @@ def main(words: list[str]) -> int:
         make(options.release, options.compiler, folder, logs / "make.log")
         rows.append(("the machine", 0, time.monotonic() - started))
         commit = _commit(folder / "course")
-        for name in [options.only] if options.only else COMMANDS:
+        for name in options.only:
             started = time.monotonic()
             command = of_container() if name == "container" else COMMANDS[name]
             code = run(command, options.compiler, folder, logs / f"{name}.log")
