@@ -349,6 +349,31 @@ TEST(Default, LooksAtAHeapThatRestsInFewIterations) {
   EXPECT_LE(iterations, 5 * 60 * heaps);
 }
 
+TEST(Default, HoldsAGridOfJoints) {
+  // As wide as it is high, so that its factors cost far less than those of a band of its width, for which sweeps would
+  // be the cheaper. Fifty sweeps let it hang by millimetres.
+  constexpr int n = 40;
+  World<6> world({});
+  const auto place = [](int row, int column) { return Vec3(column, 0, -row); };
+  const auto join = [&](int i, int j, const Vec3& half) {
+    world.add_joint({.i = i, .j = j, .p_i = half, .p_j = -half});
+  };
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) {
+      const Vec3 x = place(row, column);
+      const int body = row == 0 ? world.add_fixed(x) : world.add({.x = x, .principal = Vec3::Constant(0.1)});
+      if (row > 0) join(body - n, body, Vec3(0, 0, -0.5));
+      if (row > 0 && column > 0) join(body - 1, body, Vec3(0.5, 0, 0));
+    }
+  for (int step = 0; step < 5; ++step) {
+    world.step(1.0 / 60);
+    EXPECT_TRUE(world.solved().converged) << "step " << step;
+  }
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column)
+      EXPECT_LT((world.x(row * n + column) - place(row, column)).norm(), 1e-7) << row << ", " << column;
+}
+
 TEST(Automatic, EndsAtTheShareThatIsAskedFor) {
   // Balls and cubes fall on each other, so that some steps have contacts at rest and others in motion. A step in which
   // friction nearly jams may be out of reach of every method; it says so.

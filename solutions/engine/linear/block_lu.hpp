@@ -1,8 +1,7 @@
 #pragma once
 // Factors A = L U of a block matrix with a symmetric pattern and unsymmetric values, one block row per body.
 //
-//   order      of elimination, for little fill: Eigen's AMD                                         as Eq. (11.3)
-//   pattern    the later neighbours of a body; eliminating the body makes them neighbours of each other
+//   pattern    engine/linear/elimination.hpp
 //   values     U_pj = D_p⁻¹ A_pj,  A_ij -= A_ip U_pj for all later neighbours i and j of p; the blocks left below
 //              the diagonal are L
 //
@@ -12,11 +11,11 @@
 // Pivoting is within the diagonal blocks D_p only, not between blocks. The mass of a body usually keeps D_p regular,
 // except where the normal force that friction induces outweighs its braking.
 #include <Eigen/LU>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "engine/linear/elimination.hpp"
 
 namespace spook {
 
@@ -30,31 +29,14 @@ class BlockLu {
 
   /// Analyses the pattern of `count` bodies, and of the pairs of bodies that share a row.
   BlockLu(int count, const std::vector<std::pair<int, int>>& pairs)
-      : place_(count), later_(count), first_(count), diagonal_(count), factors_(count) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int b = 0; b < count; ++b) entries.emplace_back(b, b, 1);
-    for (const auto& [i, j] : pairs) {
-      entries.emplace_back(i, j, 1);
-      entries.emplace_back(j, i, 1);
-    }
-    Eigen::SparseMatrix<double> graph(count, count);
-    graph.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>::PermutationType order;
-    Eigen::AMDOrdering<int>()(graph, order);  // order of elimination
-    for (int p = 0; p < count; ++p) place_[order.indices()[p]] = p;
-
-    for (const auto& [i, j] : pairs) {
-      const auto [low, high] = std::minmax(place_[i], place_[j]);
-      later_[low].push_back(high);
-    }
+      : first_(count), diagonal_(count), factors_(count) {
+    Elimination found = eliminate(count, pairs);
+    place_ = std::move(found.place);
+    later_ = std::move(found.later);
     int blocks = 0;
     for (int p = 0; p < count; ++p) {
-      std::vector<int>& all = later_[p];
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
-      if (!all.empty()) later_[all.front()].insert(later_[all.front()].end(), all.begin() + 1, all.end());
       first_[p] = blocks;
-      blocks += static_cast<int>(all.size());
+      blocks += static_cast<int>(later_[p].size());
     }
     lower_.resize(blocks);
     upper_.resize(blocks);

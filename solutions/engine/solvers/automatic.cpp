@@ -195,7 +195,8 @@ class Automatic {
                                                  std::vector<Twist<Dof>>& V,
                                                  const std::vector<FrictionContact>& friction,
                                                  const StopRule& stop) {
-    if (!island.cost) island.cost = friction.empty() ? factor_cost(rows) : velocity_factor_cost(rows);
+    if (!island.cost)
+      island.cost = friction.empty() ? factor_cost(rows, stop.max_sweeps) : velocity_factor_cost(rows);
     if (*island.cost > stop.max_sweeps) return {};
     auto solved = small_direct(rows, V, stop, friction);
     if (!solved) return {};

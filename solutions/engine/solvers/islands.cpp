@@ -5,11 +5,14 @@
 #include <numeric>
 #include <span>
 
+#include "engine/linear/elimination.hpp"
 #include "engine/support/disjoint_sets.hpp"
 
 namespace spook {
 
 namespace {
+
+constexpr double multiplications_of_row = 25;  // of an update, Eq. (4.7)
 
 /// Calls `each` with the dynamic bodies of a row.
 template <int Dof, class Each>
@@ -116,12 +119,17 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
   return all;
 }
 
+template <int Dof>
+static bool is_bounded(const Row<Dof>& row) {
+  return std::isfinite(row.lo) || std::isfinite(row.hi);
+}
+
 /// Tells whether so many velocities are the cheaper unknowns. Rows with bounds count twice, since their bounds cost
 /// factorisations over rows.
 template <int Dof>
 static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
   std::ptrdiff_t count = 0;
-  for (const Row<Dof>& row : rows) count += std::isfinite(row.lo) || std::isfinite(row.hi) ? 2 : 1;
+  for (const Row<Dof>& row : rows) count += is_bounded(row) ? 2 : 1;
   return count > 2 * velocities;
 }
 
@@ -142,7 +150,85 @@ static std::vector<int> levels_of(const std::vector<Row<Dof>>& rows) {
 template <int Dof>
 static double on_velocities(const std::vector<Row<Dof>>& rows, int bodies, const std::vector<int>& levels) {
   const double w = Dof * widest(levels);
-  return w * w * Dof * bodies / (25 * static_cast<double>(rows.size()));
+  return w * w * Dof * bodies / (multiplications_of_row * static_cast<double>(rows.size()));
+}
+
+/// Returns the bound of factors over rows. The level of a row is the smaller level of its bodies.
+template <int Dof>
+static double on_rows(const std::vector<Row<Dof>>& rows, const std::vector<int>& levels) {
+  std::vector<int> of_rows;
+  for (const Row<Dof>& row : rows) {
+    const int i = moves_i(row) ? levels[row.i] : levels[row.j], j = moves_j(row) ? levels[row.j] : i;
+    of_rows.push_back(std::min(i, j));
+  }
+  const double w = widest(of_rows);
+  return w * w / multiplications_of_row;
+}
+
+/// Returns the multiplications of symmetric factors of a graph whose nodes have so many unknowns each.
+static double multiplications(const std::vector<int>& unknowns, const std::vector<std::pair<int, int>>& pairs) {
+  const Elimination order = eliminate(static_cast<int>(unknowns.size()), pairs);
+  std::vector<double> of_place(unknowns.size());
+  for (std::size_t node = 0; node < unknowns.size(); ++node) of_place[order.place[node]] = unknowns[node];
+  double sum = 0;
+  for (std::size_t p = 0; p < of_place.size(); ++p) {
+    double below = of_place[p];
+    for (const int later : order.later[p]) below += of_place[later];
+    sum += of_place[p] * below * below / 2;
+  }
+  return sum;
+}
+
+/// Returns the multiplications of factors over velocities.
+template <int Dof>
+static double count_on_velocities(const std::vector<Row<Dof>>& rows) {
+  std::vector<int> number(bodies_of(rows), -1), unknowns;
+  std::vector<std::pair<int, int>> pairs;
+  const auto of = [&](int body) {
+    if (number[body] < 0) {
+      number[body] = static_cast<int>(unknowns.size());
+      unknowns.push_back(Dof);
+    }
+    return number[body];
+  };
+  for (const Row<Dof>& row : rows) {
+    for_moving(row, of);
+    if (moves_i(row) && moves_j(row)) pairs.emplace_back(of(row.i), of(row.j));
+  }
+  return multiplications(unknowns, pairs);
+}
+
+/// Returns the multiplications of factors over rows. The rows of a joint are one node, and those on a body are
+/// neighbours of each other.
+template <int Dof>
+static double count_on_rows(const std::vector<Row<Dof>>& rows) {
+  std::vector<int> unknowns;
+  std::vector<std::vector<int>> on_body(bodies_of(rows));
+  const Row<Dof>* last = nullptr;
+  for (const Row<Dof>& row : rows) {
+    if (last && row.i == last->i && row.j == last->j) {
+      ++unknowns.back();
+    } else {
+      for_moving(row, [&](int body) { on_body[body].push_back(static_cast<int>(unknowns.size())); });
+      unknowns.push_back(1);
+    }
+    last = &row;
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for (const std::vector<int>& nodes : on_body)
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (std::size_t n = 0; n < k; ++n) pairs.emplace_back(nodes[k], nodes[n]);
+  return multiplications(unknowns, pairs);
+}
+
+/// Returns at least the multiplications for the rows on one body, the most of all bodies: they are all neighbours.
+template <int Dof>
+static double least_on_rows(const std::vector<Row<Dof>>& rows) {
+  const RowsOnBodies on_bodies(rows);
+  double most = 0;
+  for (std::size_t body = 0; body < on_bodies.size(); ++body)
+    most = std::max(most, static_cast<double>(on_bodies[static_cast<int>(body)].size()));
+  return most * most * most / 6;
 }
 
 template <int Dof>
@@ -152,27 +238,24 @@ double velocity_factor_cost(const std::vector<Row<Dof>>& rows) {
 }
 
 template <int Dof>
-double factor_cost(const std::vector<Row<Dof>>& rows) {
+double factor_cost(const std::vector<Row<Dof>>& rows, double affordable) {
   const int bodies = moving_bodies(rows);
   if (bodies == 0) return 0;
   const std::vector<int> levels = levels_of(rows);
-  if (fewer_than(rows, Dof * bodies)) return on_velocities(rows, bodies, levels);
-  // The level of a row is the smaller level of its bodies.
-  std::vector<int> of_rows;
-  for (const Row<Dof>& row : rows) {
-    const int i = moves_i(row) ? levels[row.i] : levels[row.j], j = moves_j(row) ? levels[row.j] : i;
-    of_rows.push_back(std::min(i, j));
-  }
-  const double w = widest(of_rows);
-  return w * w / 25;
+  const bool by_velocities = fewer_than(rows, Dof * bodies);
+  const double bound = by_velocities ? on_velocities(rows, bodies, levels) : on_rows(rows, levels);
+  if (bound <= affordable || std::any_of(rows.begin(), rows.end(), is_bounded<Dof>)) return bound;
+  const double sweep = multiplications_of_row * static_cast<double>(rows.size());
+  if (!by_velocities && least_on_rows(rows) > affordable * sweep) return bound;
+  return std::min(bound, (by_velocities ? count_on_velocities(rows) : count_on_rows(rows)) / sweep);
 }
 
 template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);
 template std::vector<std::vector<int>> islands<6>(const std::vector<Row<6>>&, std::size_t);
 template bool wants_bodies<3>(const std::vector<Row<3>>&);
 template bool wants_bodies<6>(const std::vector<Row<6>>&);
-template double factor_cost<3>(const std::vector<Row<3>>&);
-template double factor_cost<6>(const std::vector<Row<6>>&);
+template double factor_cost<3>(const std::vector<Row<3>>&, double);
+template double factor_cost<6>(const std::vector<Row<6>>&, double);
 template double velocity_factor_cost<3>(const std::vector<Row<3>>&);
 template double velocity_factor_cost<6>(const std::vector<Row<6>>&);
 

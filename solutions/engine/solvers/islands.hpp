@@ -33,9 +33,12 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
 template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows);
 
-/// An upper bound of the cost of factors of one island, in sweeps of its rows.
+/// An upper bound of the cost of factors of one island, in sweeps of its rows, from the width of the island. If that
+/// exceeds `affordable` and no row has a bound, the count of the multiplications, in the order of
+/// engine/linear/elimination.hpp: a grid is wide, and yet its factors are cheap. Rows with bounds take many factors, so
+/// that theirs are not counted; nor are those of a body that has too many rows by itself.
 template <int Dof>
-double factor_cost(const std::vector<Row<Dof>>& rows);
+double factor_cost(const std::vector<Row<Dof>>& rows, double affordable = infinity);
 
 /// An upper bound of the cost of factors with the velocities of bodies as unknowns, in sweeps of the rows.
 template <int Dof>
