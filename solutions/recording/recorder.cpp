@@ -17,7 +17,7 @@ static Json numbers(const std::vector<Vec3>& all) {
   return list;
 }
 
-static Json to_json(const Shape& shape) {
+static Json json_of(const Shape& shape) {
   return match(
       shape,
       [](const NoShape&) -> Json {
@@ -37,15 +37,15 @@ static Json to_json(const Shape& shape) {
       });
 }
 
-static Json to_json(const Appearance& body) {
-  Json json = to_json(body.shape);
+static Json json_of(const Appearance& body) {
+  Json json = json_of(body.shape);
   if (body.plane) json = {{"shape", "plane"}, {"n", numbers(body.plane->n)}, {"offset", body.plane->offset}};
   if (body.is_hand) json = {{"shape", "hand"}};
   if (body.is_static) json["fixed"] = true;
   return json;
 }
 
-static Json to_json(const Joint& joint) {
+static Json json_of(const Joint& joint) {
   Json json = {{"kind", name_of(joint.kind)}, {"rows", joint.rows()},     {"i", joint.i}, {"j", joint.j},
                {"p_i", numbers(joint.p_i)},   {"p_j", numbers(joint.p_j)}};
   if (joint.length) json["length"] = *joint.length;
@@ -130,8 +130,8 @@ Recorder::Recorder(std::ostream& out, const SceneDescription& description, const
 void Recorder::begin(const Scene& scene, bool live) {
   const Picture picture = scene.picture();
   Json bodies = Json::array(), joints = Json::array(), curves = Json::array();
-  for (const Appearance& body : picture.bodies) bodies.push_back(to_json(body));
-  for (const Joint& joint : picture.joints) joints.push_back(to_json(joint));
+  for (const Appearance& body : picture.bodies) bodies.push_back(json_of(body));
+  for (const Joint& joint : picture.joints) joints.push_back(json_of(joint));
   for (const Curve& curve : scene.curves())
     curves.push_back({{"name", curve.name}, {"points", numbers(curve.points)}});
   Json header = {{"format", "spook recording"},
@@ -140,8 +140,8 @@ void Recorder::begin(const Scene& scene, bool live) {
                  {"summary", description_.summary},
                  {"answer", description_.answer},
                  {"chaotic", description_.chaotic},
-                 {"parameters", to_json(parameters_)},
-                 {"method", to_json(settings_.method, description_.solves)},
+                 {"parameters", json_of(parameters_)},
+                 {"method", json_of(settings_.method, description_.solves)},
                  {"frame_time", static_cast<double>(steps_) * settings_.method.h},
                  {"time", settings_.time},
                  {"error", {{"name", description_.error_name}, {"unit", description_.error_unit}}},

@@ -26,7 +26,7 @@ static std::string all_bytes(std::istream& in) {
 Json identity_of_run(const std::string& scene, const SceneDescription& description,
                      const Parameters& parameters, const Method& method) {
   Json options = {{"scene", description.name}};
-  options.update(to_json(method, description.solves));
+  options.update(json_of(method, description.solves));
   options.erase("threads");
   options["seed of the row order"] = method.seed;
   if (is_scene_file(scene)) {
@@ -34,7 +34,7 @@ Json identity_of_run(const std::string& scene, const SceneDescription& descripti
     options["text of the scene's file"] = hash_of(all_bytes(file));
   }
   // Apart, since a parameter may have the name of an option.
-  return {{"options", options}, {"parameters", to_json(parameters)}};
+  return {{"options", options}, {"parameters", json_of(parameters)}};
 }
 
 void require_writable_checkpoint(const std::string& file) {

@@ -15,19 +15,19 @@ Json numbers(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-Json to_json(const Parameter& parameter) {
+Json json_of(const Parameter& parameter) {
   if (!parameter.choices.empty()) return parameter.choice;
   if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);
   return parameter.value;
 }
 
-Json to_json(const Parameters& parameters) {
+Json json_of(const Parameters& parameters) {
   Json set = Json::object();
-  for (const Parameter& parameter : parameters.all()) set[parameter.name] = to_json(parameter);
+  for (const Parameter& parameter : parameters.all()) set[parameter.name] = json_of(parameter);
   return set;
 }
 
-Json to_json(const Method& method, bool solves) {
+Json json_of(const Method& method, bool solves) {
   const auto of_rows = [&](const Json& value) { return solves ? value : Json(); };
   return {
       {"solver", solves ? method.solver : "none"},

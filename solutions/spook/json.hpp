@@ -1,5 +1,6 @@
 #pragma once
-// Parameters and methods of scenes as JSON.
+// Parameters and methods of scenes as JSON. No function is named to_json: the library has functions of this name, which
+// would also be tried, and version 3.11.3 cannot compile some of them for our types.
 #include <nlohmann/json.hpp>
 
 #include "scenes/scene.hpp"
@@ -15,12 +16,12 @@ Json numbers(const Vec3& v);
 const std::vector<std::string>& row_orders();
 const std::string& name_of(RowOrder order);
 
-Json to_json(const Parameter& parameter);
+Json json_of(const Parameter& parameter);
 
 /// Returns an object of names and values.
-Json to_json(const Parameters& parameters);
+Json json_of(const Parameters& parameters);
 
 /// Returns an object of solver, iterations, ..., tangents; null if the scene has no rows.
-Json to_json(const Method& method, bool solves);
+Json json_of(const Method& method, bool solves);
 
 }  // namespace spook

@@ -150,8 +150,8 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
 
   Json object = {{"program", {{"version", SPOOK_VERSION}, {"compiler", SPOOK_COMPILER}}},
                  {"scene", scene.name},
-                 {"parameters", to_json(parameters)}};
-  object.update(to_json(settings.method, scene.solves));
+                 {"parameters", json_of(parameters)}};
+  object.update(json_of(settings.method, scene.solves));
   object.update({
       {"steps", result.steps},
       {"time", static_cast<double>(result.steps) * settings.method.h},

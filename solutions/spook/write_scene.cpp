@@ -17,7 +17,7 @@ static Json number(double value) {
 }
 
 template <int Dof>
-static Json to_json(const Settings<Dof>& settings, const std::string& solver) {
+static Json json_of(const Settings<Dof>& settings, const std::string& solver) {
   Json json = {{"gravity", numbers(settings.gravity)},
                {"friction", settings.friction},
                {"viscosity", number(settings.viscosity)}};
@@ -43,7 +43,7 @@ static Json to_json(const Settings<Dof>& settings, const std::string& solver) {
 
 /// Returns a body without its shape.
 template <int Dof>
-static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
+static Json json_of_body(const Bodies<Dof>& bodies, std::size_t i) {
   if (bodies.is_fixed(i)) {
     Json json = {{"fixed", true}, {"x", numbers(bodies.x[i])}};
     if constexpr (Dof == 6)
@@ -82,9 +82,9 @@ static void put_velocity(Json& json, const Kinematic<Dof>& kinematic, const Twis
 }
 
 template <int Dof>
-static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
+static Json json_of(const Bodies<Dof>& bodies, const Shapes& shapes) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < bodies.size(); ++i) list.push_back(body_to_json(bodies, i));
+  for (std::size_t i = 0; i < bodies.size(); ++i) list.push_back(json_of_body(bodies, i));
   for (const Plane& plane : shapes.planes) {
     // Assigned by name, since clang 14 leaks the old value when braces are assigned.
     const Json json = {{"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
@@ -128,7 +128,7 @@ static void put_guide(Json& json, const Joint& joint) {
                      {"viscosity", number(joint.motor->viscosity)}};
 }
 
-static Json to_json(const std::vector<Joint>& joints) {
+static Json json_of(const std::vector<Joint>& joints) {
   Json list = Json::array();
   for (const Joint& joint : joints) {
     Json json = {{"i", joint.i}, {"j", joint.j}, {"p_i", numbers(joint.p_i)}, {"p_j", numbers(joint.p_j)}};
@@ -145,7 +145,7 @@ static Json to_json(const std::vector<Joint>& joints) {
   return list;
 }
 
-static Json to_json(const Material& material) {
+static Json json_of(const Material& material) {
   Json json = Json::object();
   if (material.friction) json["friction"] = *material.friction;
   if (material.restitution) json["restitution"] = *material.restitution;
@@ -160,10 +160,10 @@ static Json to_json(const Material& material) {
 static void put_materials(Json& json, const Materials& materials) {
   for (std::size_t i = 0; i < materials.of_bodies().size(); ++i)
     if (materials.of_bodies()[i] != Material{})
-      json["bodies"][i]["material"] = to_json(materials.of_bodies()[i]);
+      json["bodies"][i]["material"] = json_of(materials.of_bodies()[i]);
   for (const auto& [pair, material] : materials.of_pairs()) {
     Json each = {{"i", pair.first}, {"j", pair.second}};
-    each.update(to_json(material));
+    each.update(json_of(material));
     json["materials"].push_back(each);
   }
 }
@@ -171,7 +171,7 @@ static void put_materials(Json& json, const Materials& materials) {
 template <int Dof>
 Json content_of(const World<Dof>& world) {
   Json json = Json::object();
-  json["bodies"] = to_json(world.bodies(), world.shapes());
+  json["bodies"] = json_of(world.bodies(), world.shapes());
   for (const Kinematic<Dof>& kinematic : world.kinematic_bodies()) {
     const std::size_t i = world.index(kinematic.body);
     put_velocity(json["bodies"][i], kinematic, world.bodies().motion.W[i]);
@@ -179,7 +179,7 @@ Json content_of(const World<Dof>& world) {
   put_materials(json, world.materials());
   for (const std::vector<int>& list : world.shapes().exclusions.lists())
     if (list.size() > 1) json["no_contact"].push_back(list);  // others are left of removed bodies
-  if (!world.joints().empty()) json["joints"] = to_json(world.joints());
+  if (!world.joints().empty()) json["joints"] = json_of(world.joints());
   return json;
 }
 
@@ -190,7 +190,7 @@ template <int Dof>
 static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
   if (world.settings().force || world.settings().wrench)
     throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
-  json["settings"] = to_json(world.settings(), json["solver"]);
+  json["settings"] = json_of(world.settings(), json["solver"]);
   json.update(content_of(world));
 }
 
