@@ -351,7 +351,7 @@ TEST(Default, LooksAtAHeapThatRestsInFewIterations) {
 
 TEST(Default, HoldsAGridOfJoints) {
   // As wide as it is high, so that its factors cost far less than those of a band of its width, for which sweeps would
-  // be the cheaper. Fifty sweeps let it hang by millimetres.
+  // be the cheaper. Fifty sweeps let it sag by millimetres.
   constexpr int n = 40;
   World<6> world({});
   const auto place = [](int row, int column) { return Vec3(column, 0, -row); };

@@ -12,9 +12,8 @@
 namespace spook {
 
 struct Elimination {
-  std::vector<int> place;  ///< of each node in the order
-  std::vector<std::vector<int>>
-      later;  ///< the places of the later neighbours of each place, in ascending order
+  std::vector<int> place;               ///< of each node in the order
+  std::vector<std::vector<int>> later;  ///< places of the later neighbours of each place, ascending
 };
 
 /// Analyses a graph of `count` nodes with an edge for each pair, which may occur repeatedly.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "engine/linear/body_numbers.hpp"
 #include "engine/linear/elimination.hpp"
 #include "engine/support/disjoint_sets.hpp"
 
@@ -182,53 +183,43 @@ static double multiplications(const std::vector<int>& unknowns, const std::vecto
 /// Returns the multiplications of factors over velocities.
 template <int Dof>
 static double count_on_velocities(const std::vector<Row<Dof>>& rows) {
-  std::vector<int> number(bodies_of(rows), -1), unknowns;
+  BodyNumbers number;
+  number.begin(bodies_of(rows));
   std::vector<std::pair<int, int>> pairs;
-  const auto of = [&](int body) {
-    if (number[body] < 0) {
-      number[body] = static_cast<int>(unknowns.size());
-      unknowns.push_back(Dof);
-    }
-    return number[body];
-  };
   for (const Row<Dof>& row : rows) {
-    for_moving(row, of);
-    if (moves_i(row) && moves_j(row)) pairs.emplace_back(of(row.i), of(row.j));
+    for_moving(row, [&](int body) { number.add(body); });
+    if (moves_i(row) && moves_j(row)) pairs.emplace_back(number[row.i], number[row.j]);
   }
-  return multiplications(unknowns, pairs);
+  return multiplications(std::vector<int>(number.bodies().size(), Dof), pairs);
 }
 
 /// Returns the multiplications of factors over rows. The rows of a joint are one node, and those on a body are
 /// neighbours of each other.
 template <int Dof>
-static double count_on_rows(const std::vector<Row<Dof>>& rows) {
-  std::vector<int> unknowns;
-  std::vector<std::vector<int>> on_body(bodies_of(rows));
-  const Row<Dof>* last = nullptr;
-  for (const Row<Dof>& row : rows) {
-    if (last && row.i == last->i && row.j == last->j) {
-      ++unknowns.back();
-    } else {
-      for_moving(row, [&](int body) { on_body[body].push_back(static_cast<int>(unknowns.size())); });
-      unknowns.push_back(1);
-    }
-    last = &row;
+static double count_on_rows(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies) {
+  std::vector<int> unknowns, node_of;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool follows = k > 0 && rows[k].i == rows[k - 1].i && rows[k].j == rows[k - 1].j;
+    if (!follows) unknowns.push_back(0);
+    ++unknowns.back();
+    node_of.push_back(static_cast<int>(unknowns.size()) - 1);
   }
   std::vector<std::pair<int, int>> pairs;
-  for (const std::vector<int>& nodes : on_body)
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (std::size_t n = 0; n < k; ++n) pairs.emplace_back(nodes[k], nodes[n]);
+  for (int body = 0; body < std::ssize(on_bodies); ++body) {
+    std::vector<int> nodes;
+    for (const int k : on_bodies[body])
+      if (nodes.empty() || nodes.back() != node_of[k]) nodes.push_back(node_of[k]);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      for (std::size_t m = 0; m < n; ++m) pairs.emplace_back(nodes[n], nodes[m]);
+  }
   return multiplications(unknowns, pairs);
 }
 
-/// Returns at least the multiplications for the rows on one body, the most of all bodies: they are all neighbours.
-template <int Dof>
-static double least_on_rows(const std::vector<Row<Dof>>& rows) {
-  const RowsOnBodies on_bodies(rows);
-  double most = 0;
-  for (std::size_t body = 0; body < on_bodies.size(); ++body)
-    most = std::max(most, static_cast<double>(on_bodies[static_cast<int>(body)].size()));
-  return most * most * most / 6;
+/// Returns a lower bound of the multiplications of factors over rows: all rows on one body are neighbours of each other.
+static double least_on_rows(const RowsOnBodies& on_bodies) {
+  std::size_t most = 0;
+  for (int body = 0; body < std::ssize(on_bodies); ++body) most = std::max(most, on_bodies[body].size());
+  return std::pow(static_cast<double>(most), 3) / 6;
 }
 
 template <int Dof>
@@ -246,8 +237,10 @@ double factor_cost(const std::vector<Row<Dof>>& rows, double affordable) {
   const double bound = by_velocities ? on_velocities(rows, bodies, levels) : on_rows(rows, levels);
   if (bound <= affordable || std::any_of(rows.begin(), rows.end(), is_bounded<Dof>)) return bound;
   const double sweep = multiplications_of_row * static_cast<double>(rows.size());
-  if (!by_velocities && least_on_rows(rows) > affordable * sweep) return bound;
-  return std::min(bound, (by_velocities ? count_on_velocities(rows) : count_on_rows(rows)) / sweep);
+  if (by_velocities) return std::min(bound, count_on_velocities(rows) / sweep);
+  const RowsOnBodies on_bodies(rows);
+  if (least_on_rows(on_bodies) > affordable * sweep) return bound;
+  return std::min(bound, count_on_rows(rows, on_bodies) / sweep);
 }
 
 template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);

@@ -33,10 +33,10 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
 template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows);
 
-/// An upper bound of the cost of factors of one island, in sweeps of its rows, from the width of the island. If that
-/// exceeds `affordable` and no row has a bound, the count of the multiplications, in the order of
-/// engine/linear/elimination.hpp: a grid is wide, and yet its factors are cheap. Rows with bounds take many factors, so
-/// that theirs are not counted; nor are those of a body that has too many rows by itself.
+/// An upper bound of the cost of factors of one island, in sweeps of its rows. The width of the island gives one bound.
+/// If it exceeds `affordable`, the multiplications are counted, in the order of engine/linear/elimination.hpp: a grid is
+/// wide, and yet its factors are cheap. Islands with a bounded row are not counted, since they take many factors, nor are
+/// those in which the rows on one body alone cost more than is affordable.
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows, double affordable = infinity);
 
