@@ -46,6 +46,12 @@ struct Heap {
         rows[k + t].lambda = random.uniform(-0.5, 0.5) * mu * rows[k].lambda;
     }
   }
+
+  std::vector<double> impulses() const {
+    std::vector<double> all;
+    for (const Row<6>& row : constraints.rows) all.push_back(row.lambda);
+    return all;
+  }
 };
 
 void expect_same(const std::vector<Twist<6>>& got, const std::vector<Twist<6>>& expected) {
@@ -61,7 +67,7 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
     const double mu = trial % 2 ? 0.6 : 0;
     Heap heap(random, mu);
     SoftContacts<6> packed;
-    packed.assign(heap.contacts, heap.constraints);
+    packed.assign(heap.contacts, heap.constraints, heap.impulses());
     std::vector<Twist<6>> W = heap.motion.W, expected = W;
 
     packed.warm_start(W);
@@ -102,6 +108,28 @@ TEST(SoftContacts, AreUpdatedAsRowsOfChaptersNineAndTenAre) {
   }
 }
 
+// Each contact once: those of even stripes, of odd ones, and the rest.
+TEST(SoftContacts, AreSweptStripeByStripe) {
+  testing::Random random;
+  Heap heap(random, 0.6);
+  const Stripes stripes = {{1, 4, 7, 9}, {0, 2, 3, 11, 12}, {5, 6, 8, 10, 13}, {14, 15, 16, 17, 18, 19}};
+  SoftContacts<6> packed;
+  packed.assign(heap.contacts, heap.constraints, heap.impulses(), stripes);
+  std::vector<Twist<6>> W = heap.motion.W, expected = W;
+  packed.sweep_friction(W);
+  packed.sweep_rigid(h, W);
+  const auto in_order = [&](const auto& update) {
+    for (const int stripe : {0, 2, 1, 3})
+      for (const int c : stripes[static_cast<std::size_t>(stripe)]) update(static_cast<std::size_t>(c));
+  };
+  std::vector<Row<6>>& rows = heap.constraints.rows;
+  in_order([&](std::size_t c) { update_friction(heap.constraints.friction[c], rows, expected); });
+  in_order([&](std::size_t c) {
+    update_soft_row(h, SoftParameters{}, heap.contacts[c].gap, rows[heap.constraints.normal_row(c)], expected);
+  });
+  expect_same(W, expected);
+}
+
 // The rows that are returned are those of the relaxing sweep, which solves a single contact: closed or open, it may
 // approach as fast as its gap allows.
 TEST(SoftContacts, ReturnRowsThatTheRelaxingSweepHasSolved) {
@@ -113,7 +141,7 @@ TEST(SoftContacts, ReturnRowsThatTheRelaxingSweepHasSolved) {
     heap.constraints.rows.resize(1);
     heap.constraints.friction.clear();
     SoftContacts<6> packed;
-    packed.assign(heap.contacts, heap.constraints);
+    packed.assign(heap.contacts, heap.constraints, heap.impulses());
     std::vector<Twist<6>> W = heap.motion.W;
     packed.sweep_rigid(h, W);
     packed.return_rows(h, heap.constraints);
@@ -132,7 +160,7 @@ TEST(SoftContacts, CloseAnOverlapWithTheClosingSpeedAtMost) {
   heap.constraints.rows.resize(1);
   SoftContacts<6> packed;
   heap.constraints.friction.clear();
-  packed.assign(heap.contacts, heap.constraints);
+  packed.assign(heap.contacts, heap.constraints, heap.impulses());
   std::vector<Twist<6>> W = heap.motion.W;
   for (int sweep = 0; sweep < 400; ++sweep) packed.sweep_soft({.frequency = 100, .damping = 0.1}, 3, h, W);
   const Row<6>& row = heap.constraints.rows[0];

@@ -1,5 +1,9 @@
 // Threads: contacts, rows and solutions do not depend on their number, and sweeps in stripes solve as sweeps do.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
 
 #include "10_convergence/convergence.hpp"
 #include "engine/support/parallel_for.hpp"
@@ -16,12 +20,13 @@ constexpr double h = 1.0 / 120, side = 0.2, k = 1e4;
 /// Balls and boxes in a heap over a floor and between walls, in an order unrelated to their places. Some are tied to
 /// others, far away.
 World<6> heap(const Solver<6>& solver, int threads, bool tied = true, int high = 12,
-              const StopRule& stop = {.max_sweeps = 5}) {
+              const StopRule& stop = {.max_sweeps = 5}, const std::optional<SoftSteps>& soft = {}) {
   testing::Random random;  // the same in each call
-  World<6> world({.k = k,
+  World<6> world({.k = soft ? std::nullopt : std::optional(k),
                   .friction = 0.4,
                   .solver = solver,
                   .warm_start = true,
+                  .soft_steps = soft,
                   .threads = threads,
                   .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -80,6 +85,58 @@ TEST(Threads, ChangeNoBitWhateverTheirNumberAndTheSolver) {
       }
     }
   }
+}
+
+TEST(Threads, ChangeNoBitOfSoftSteps) {
+  const auto soft_heap = [](int threads) {
+    return heap(gauss_seidel<6>(), threads, true, 24, {}, SoftSteps{});
+  };
+  World<6> one = soft_heap(1);
+  std::vector<World<6>> others;
+  for (const int threads : {2, 3, 8}) others.push_back(soft_heap(threads));
+  for (int n = 0; n < 12; ++n) {
+    one.step(h);
+    ASSERT_GT(one.contacts().size(), 3000U) << "too few for three threads";
+    for (World<6>& other : others) {
+      other.step(h);
+      expect_same_bits(one, other,
+                       std::to_string(other.settings().threads) + " threads, step " + std::to_string(n));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(Threads, HelpOneCallInsideAnother) {
+  std::atomic<int> calls = 0;
+  const auto once = [] { return false; };
+  for (int repeat = 0; repeat < 3; ++repeat)
+    in_rounds(
+        3,
+        [&](int) {
+          in_rounds(
+              2, [&](int) { ++calls; }, once);
+        },
+        once);
+  EXPECT_EQ(calls, 3 * 3 * 2);
+}
+
+TEST(Threads, HelpAProcessThatForks) {
+  std::atomic<int> calls = 0;
+  const auto count = [&] {
+    in_rounds(
+        4, [&](int) { ++calls; }, [] { return false; });
+  };
+  count();
+  const pid_t child = fork();
+  if (child == 0) {
+    count();
+    _exit(calls == 8 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "of the child: " << status;
+  count();
+  EXPECT_EQ(calls, 8);
 }
 
 TEST(Stripes, SolveWhatSweepsDo) {

@@ -9,6 +9,7 @@
 #include "09_better_friction/better_friction.hpp"
 #include "engine/constraints/constraint_set.hpp"
 #include "engine/constraints/soft_rows.hpp"
+#include "engine/constraints/stripes.hpp"
 
 namespace spook {
 
@@ -27,11 +28,13 @@ struct PointRow {
 template <int Dof>
 class SoftContacts {
  public:
-  /// Takes the rows of the contacts, with their λ.
-  void assign(const std::vector<Contact>& contacts, const ConstraintSet<Dof>& constraints);
+  /// Takes the rows of the contacts, with the `impulses` of all rows for their λ; empty: 0 [N s]. Sweeps go through the
+  /// `stripes` of contacts on so many threads; without stripes, through all contacts in their order.
+  void assign(const std::vector<Contact>& contacts, const ConstraintSet<Dof>& constraints,
+              const std::vector<double>& impulses, Stripes stripes = {}, int threads = 1);
 
   /// Adds M⁻¹ Gᵀ λ to W: Eq. (10.2).
-  void warm_start(std::vector<Twist<Dof>>& W) const;
+  void warm_start(std::vector<Twist<Dof>>& W);
 
   /// Updates friction, and returns the largest s |Δλ_t| [m/s].
   double sweep_friction(std::vector<Twist<Dof>>& W);
@@ -52,6 +55,10 @@ class SoftContacts {
   void return_rows(double h, ConstraintSet<Dof>& constraints) const;
 
  private:
+  /// Calls update(c) for each contact, in the order of a sweep. Returns the largest value.
+  template <class Update>
+  double sweep(const Update& update);
+
   template <class Target>
   double sweep_normals(const Target& target, double softness, double h, std::vector<Twist<Dof>>& W);
 
@@ -68,6 +75,8 @@ class SoftContacts {
   };
   std::vector<Normal> normals_;
   std::vector<Friction> friction_;
+  Stripes stripes_;
+  int threads_ = 1;
 };
 
 }  // namespace spook

@@ -43,35 +43,85 @@ static void find_nearest(std::span<const Contact> contacts, std::span<const OldC
   }
 }
 
-/// Calls match(old, now) for each contact that existed before. Contacts of a pair are consecutive, and pairs are
-/// sorted, so most matches are found at once. match_contacts matches the rest.
+/// Indices of contacts that are not matched yet: of those of this step, and of old ones.
+struct Unmatched {
+  std::vector<std::size_t> now, old;
+};
+
+/// A range of contacts, whose first and last pairs are complete, and the range of old ones that may be theirs.
+struct MatchRange {
+  std::size_t begin, end, old_begin, old_end;
+};
+
+/// Calls match(old, now) for each contact of the range that has a nearest old contact of its pair in the range.
 template <class Match>
-static void match_all(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
-                      const Match& match) {
-  std::vector<std::size_t> nearest, left, old_left;
-  std::size_t k = 0;
-  for (std::size_t c = 0, end; c < contacts.size(); c = end) {
+static Unmatched match_pairs(const MatchRange& range, const std::vector<Contact>& contacts,
+                             const std::vector<OldContact>& old, const Match& match) {
+  Unmatched left;
+  std::vector<std::size_t> nearest;
+  std::size_t k = range.old_begin;
+  for (std::size_t c = range.begin, end; c < range.end; c = end) {
     end = end_of_pair(contacts, c);
-    while (k < old.size() && numbers_of(old[k]) < numbers_of(contacts[c])) old_left.push_back(k++);
-    const bool there = k < old.size() && numbers_of(old[k]) == numbers_of(contacts[c]);
-    const std::size_t begin = k, old_end = there ? end_of_pair(old, k) : k;
+    while (k < range.old_end && numbers_of(old[k]) < numbers_of(contacts[c])) left.old.push_back(k++);
+    const bool there = k < range.old_end && numbers_of(old[k]) == numbers_of(contacts[c]);
+    const std::size_t begin = k, old_end = there ? std::min(end_of_pair(old, k), range.old_end) : k;
     find_nearest(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k), nearest);
     for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);
     if (nearest.empty())
-      for (std::size_t n = c; n < end; ++n) left.push_back(n);
+      for (std::size_t n = c; n < end; ++n) left.now.push_back(n);
     for (; k < old_end; ++k)
-      if (!contains(nearest, k - begin)) old_left.push_back(k);
+      if (!contains(nearest, k - begin)) left.old.push_back(k);
   }
-  if (left.empty()) return;
-  for (; k < old.size(); ++k) old_left.push_back(k);
+  for (; k < range.old_end; ++k) left.old.push_back(k);
+  return left;
+}
 
+/// Divides contacts, and the old ones, between pairs. Pairs of most contacts are sorted.
+static std::vector<MatchRange> match_ranges(const std::vector<Contact>& contacts,
+                                            const std::vector<OldContact>& old, std::size_t count) {
+  const auto before = [](const OldContact& one, const std::pair<int, int>& pair) {
+    return numbers_of(one) < pair;
+  };
+  std::vector<MatchRange> ranges;
+  std::size_t begin = 0, old_begin = 0;
+  for (std::size_t n = 1; n <= count; ++n) {
+    std::size_t end = std::max(begin, contacts.size() * n / count), old_end = old.size();
+    if (n < count) {
+      while (end > begin && numbers_of(contacts[end - 1]) == numbers_of(contacts[end])) --end;
+      const auto found = std::lower_bound(old.begin(), old.end(), numbers_of(contacts[end]), before);
+      old_end = std::max(old_begin, static_cast<std::size_t>(found - old.begin()));
+    }
+    ranges.push_back({begin, end, old_begin, old_end});
+    begin = end;
+    old_begin = old_end;
+  }
+  return ranges;
+}
+
+/// Calls match(old, now) for each contact that existed before. Contacts of a pair are consecutive, and pairs are
+/// sorted, so most matches are found at once. match_contacts matches the rest.
+template <class Match>
+static void match_all(const std::vector<Contact>& contacts, const std::vector<OldContact>& old, int threads,
+                      const Match& match) {
+  const std::size_t shares = shares_of(threads, contacts.size());
+  const std::vector<MatchRange> ranges = match_ranges(contacts, old, shares);
+  std::vector<Unmatched> of_share(shares);
+  parallel_for(threads, contacts.size(), [&](std::size_t share, std::size_t, std::size_t) {
+    of_share[share] = match_pairs(ranges[share], contacts, old, match);
+  });
   std::vector<Contact> their_contacts;
   std::vector<OldContact> their_old;
-  for (const std::size_t n : left) their_contacts.push_back(contacts[n]);
+  std::vector<std::size_t> now_left, old_left;
+  for (const Unmatched& left : of_share) {
+    now_left.insert(now_left.end(), left.now.begin(), left.now.end());
+    old_left.insert(old_left.end(), left.old.begin(), left.old.end());
+  }
+  if (now_left.empty()) return;
+  for (const std::size_t n : now_left) their_contacts.push_back(contacts[n]);
   for (const std::size_t n : old_left) their_old.push_back(old[n]);
   const std::vector<int> found = match_contacts(their_contacts, their_old, infinity);
-  for (std::size_t n = 0; n < left.size(); ++n)
-    if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], left[n]);
+  for (std::size_t n = 0; n < now_left.size(); ++n)
+    if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], now_left[n]);
 }
 
 /// Returns the friction directions on body j, of a contact whose rows start at `rows`.
@@ -99,17 +149,20 @@ void WarmStartCache::remember(const ConstraintSet<Dof>& constraints, const std::
   parallel_for(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
     for (; k < end; ++k) (k < first ? joints_[k] : contact_rows_[k - first]) = rows[k].lambda;
   });
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
   tangents_.resize(constraints.rows_per_contact == 3 ? contacts.size() : 0);
-  for (std::size_t c = 0; c < tangents_.size(); ++c)
-    tangents_[c] = tangents_of(&rows[constraints.normal_row(c)]);
+  parallel_for(threads, contacts.size(), [&](std::size_t, std::size_t c, std::size_t end) {
+    for (; c < end; ++c) {
+      contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
+      if (!tangents_.empty()) tangents_[c] = tangents_of(&rows[constraints.normal_row(c)]);
+    }
+  });
   h_ = h;
 }
 
 template <int Dof>
 std::vector<double> WarmStartCache::impulses(const ConstraintSet<Dof>& constraints,
-                                             const std::vector<Contact>& contacts, double h) const {
+                                             const std::vector<Contact>& contacts, double h,
+                                             int threads) const {
   if (joints_.empty() && contact_rows_.empty()) return {};
   std::vector<double> all = joint_impulses(constraints.first_contact_row, h);
   all.resize(constraints.rows.size(), 0);
@@ -123,7 +176,7 @@ std::vector<double> WarmStartCache::impulses(const ConstraintSet<Dof>& constrain
     for (std::size_t n = 0; n < each; ++n) of[n] = longer * contact_rows_[from * each + n];
     if (!tangents_.empty()) turn(tangents_[from], tangents_of(&constraints.rows[normal]), of + 1);
   };
-  match_all(contacts, contacts_, copy);
+  match_all(contacts, contacts_, threads, copy);
   return all;
 }
 
@@ -150,9 +203,9 @@ double WarmStartCache::contact_force(int i, int j) const {
 }
 
 template std::vector<double> WarmStartCache::impulses<3>(const ConstraintSet<3>&, const std::vector<Contact>&,
-                                                         double) const;
+                                                         double, int) const;
 template std::vector<double> WarmStartCache::impulses<6>(const ConstraintSet<6>&, const std::vector<Contact>&,
-                                                         double) const;
+                                                         double, int) const;
 template void WarmStartCache::remember<3>(const ConstraintSet<3>&, const std::vector<Contact>&, double, int);
 template void WarmStartCache::remember<6>(const ConstraintSet<6>&, const std::vector<Contact>&, double, int);
 

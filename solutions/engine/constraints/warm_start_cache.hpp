@@ -43,7 +43,7 @@ class WarmStartCache {
   /// stored.
   template <int Dof>
   std::vector<double> impulses(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts,
-                               double h) const;
+                               double h, int threads = 1) const;
 
   /// Returns the initial impulses of the joints' rows, which come first in each step.
   std::vector<double> joint_impulses(std::size_t rows, double h) const;

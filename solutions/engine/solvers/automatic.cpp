@@ -137,7 +137,7 @@ class Automatic {
     const std::vector<FrictionContact>& on_cones = on_cones_ ? s.constraints.friction : none;
     if (all.size() == 1)
       if (auto solved = few_at_once(*all.front(), s.rows(), s.V, on_cones, s.stop)) return *std::move(solved);
-    const std::vector<double> last = s.last.impulses(s.constraints, s.contacts, s.h);
+    const std::vector<double> last = s.last.impulses(s.constraints, s.contacts, s.h, s.threads);
     if (all.size() == 1)
       return solve_one(
           *all.front(), s,

@@ -13,7 +13,7 @@ template <int Dof>
 Solver<Dof> direct() {
   const auto solve = [factors = ScratchCache<RowAndVelocityFactors<Dof>>()](const SolverInput<Dof>& s) mutable {
     if (auto solved = small_direct(s.rows(), s.V, s.stop)) return without_updates(*std::move(solved));
-    start_from(s.last.impulses(s.constraints, s.contacts, s.h), s.rows(), s.V);
+    start_from(s.last.impulses(s.constraints, s.contacts, s.h, s.threads), s.rows(), s.V);
     return without_updates(solve_directly(s.rows(), s.bodies.motion.inverse_mass, s.V, s.stop, *factors));
   };
   return {.solve = solve, .wants_last = true};

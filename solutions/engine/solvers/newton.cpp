@@ -26,7 +26,7 @@ class Newton {
       : on_cones_(model == FrictionModel::cone), sweeps_(anderson<Dof>(model)) {}
 
   SolverResult operator()(const SolverInput<Dof>& s) {
-    start_from(s.last.impulses(s.constraints, s.contacts, s.h), s.rows(), s.V);
+    start_from(s.last.impulses(s.constraints, s.contacts, s.h, s.threads), s.rows(), s.V);
     const auto moves = [](const Row<Dof>& row) { return moves_i(row) || moves_j(row); };
     const auto soft = [](const Row<Dof>& row) { return row.Sigma > 0; };
     if (!std::any_of(s.rows().begin(), s.rows().end(), moves) ||

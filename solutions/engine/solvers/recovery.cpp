@@ -36,7 +36,7 @@ static bool is_beyond(const Row<Dof>& limit, const Motion<Dof>& motion) {
 template <int Dof>
 bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
                           const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
-                          std::vector<RowState>& first) {
+                          FirstSolve& first) {
   const Motion<Dof>& motion = s.bodies.motion;
   std::vector<Row<Dof>>& rows = s.rows();
   std::vector<bool> recovers(rows.size(), false), is_limit = recovers, holds = recovers;
@@ -61,10 +61,11 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
   }
   if (!any) return false;
 
-  first.clear();
+  first.rows.clear();
+  first.changed.clear();
   for (const Row<Dof>& row : rows)
-    first.push_back({row.B, row.Sigma, row.diagonal, row.lo, row.hi, row.lambda});
-  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
+    first.rows.push_back({row.B, row.Sigma, row.diagonal, row.lo, row.hi, row.lambda});
+  for (std::vector<int>& island : islands(rows, s.bodies.size())) {
     if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
     for (const int k : island) {
       const bool returns = is_limit[k] && is_beyond(rows[k], motion);
@@ -78,12 +79,15 @@ bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
       const Contact& contact = s.contacts[*c];
       if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(rows[k], motion);
     }
+    const auto has_changed = [&](int k) { return rows[k].B != first.rows[static_cast<std::size_t>(k)].B; };
+    if (std::any_of(island.begin(), island.end(), has_changed)) first.changed.push_back(std::move(island));
   }
   return true;
 }
 
 template <int Dof>
-void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::vector<RowState>& first,
+void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows,
+                  const std::vector<std::vector<int>>& changed,
                   const std::function<bool(const Contact&)>& may_throw) {
   const Motion<Dof>& motion = s.bodies.motion;
   const std::vector<Row<Dof>>& rows = s.rows();
@@ -92,9 +96,7 @@ void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::
     const auto c = s.constraints.contact_of_normal_row(static_cast<std::size_t>(k));
     return c && may_throw && may_throw(s.contacts[*c]);
   };
-  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
-    const auto was_changed = [&](int k) { return rows[k].B != first[static_cast<std::size_t>(k)].B; };
-    if (std::none_of(island.begin(), island.end(), was_changed)) continue;
+  for (const std::vector<int>& island : changed) {
     if (std::any_of(island.begin(), island.end(), is_spring_or_joint)) continue;
     // κ V adds the energy b κ + ½ c κ².
     double b = 0, c = 0;
@@ -132,12 +134,12 @@ void restore(const std::vector<RowState>& before, std::vector<Row<Dof>>& rows) {
 }
 
 template bool prepare_second_solve(const SolverInput<3>&, double, const std::function<bool(const Contact&)>&,
-                                   const JointRecovery&, std::vector<RowState>&);
+                                   const JointRecovery&, FirstSolve&);
 template bool prepare_second_solve(const SolverInput<6>&, double, const std::function<bool(const Contact&)>&,
-                                   const JointRecovery&, std::vector<RowState>&);
-template void limit_energy(const SolverInput<3>&, std::size_t, const std::vector<RowState>&,
+                                   const JointRecovery&, FirstSolve&);
+template void limit_energy(const SolverInput<3>&, std::size_t, const std::vector<std::vector<int>>&,
                            const std::function<bool(const Contact&)>&);
-template void limit_energy(const SolverInput<6>&, std::size_t, const std::vector<RowState>&,
+template void limit_energy(const SolverInput<6>&, std::size_t, const std::vector<std::vector<int>>&,
                            const std::function<bool(const Contact&)>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<3>>&);
 template void restore(const std::vector<RowState>&, std::vector<Row<6>>&);

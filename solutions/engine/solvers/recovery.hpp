@@ -30,21 +30,29 @@ struct RowState {
   double B, Sigma, diagonal, lo, hi, lambda;
 };
 
+/// Numbers of the first solve that the second one needs. Their memory serves all steps, since new memory for a large pile
+/// costs as much as many sweeps.
+struct FirstSolve {
+  std::vector<RowState> rows;  ///< for restore()
+  std::vector<std::vector<int>>
+      changed;  ///< rows of each island that has a row with another B in the second solve
+};
+
 /// Turns the rows of the solved system `s` into those of the second solve; λ stays that of the first. Returns false, and
 /// changes nothing, where no contact that pushes opens faster than `ignored` [m/s], and no joint recovers. `may_throw`
-/// says which contacts are springs, whose rebound stays; null: none. `first` receives the states of all rows, for
-/// restore(); its memory serves all steps, since new memory for a large pile costs as much as many sweeps.
+/// says which contacts are springs, whose rebound stays; null: none. `first` receives what the next two functions take.
 template <int Dof>
 bool prepare_second_solve(const SolverInput<Dof>& s, double ignored,
                           const std::function<bool(const Contact&)>& may_throw, const JointRecovery& joints,
-                          std::vector<RowState>& first);
+                          FirstSolve& first);
 
 /// Shortens the velocities V of the second solve `s` in those islands of contacts where they add energy. Contacts that
 /// stop and do not bounce take energy, so such a solve has failed: with friction on overlapping bodies the problem may have
-/// no solution. `first` are the states of the first solve: an island without a changed row was not solved again. Islands
-/// of joints, whose rows are the first `joint_rows`, and of springs are left as they are.
+/// no solution. `changed` are the rows of each island that was solved again. Islands of joints, whose rows are the first
+/// `joint_rows`, and of springs are left as they are.
 template <int Dof>
-void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows, const std::vector<RowState>& first,
+void limit_energy(const SolverInput<Dof>& s, std::size_t joint_rows,
+                  const std::vector<std::vector<int>>& changed,
                   const std::function<bool(const Contact&)>& may_throw);
 
 /// Gives the rows the states that prepare_second_solve has found.

@@ -6,6 +6,7 @@
 
 #include "common/require.hpp"
 #include "engine/constraints/contact_resistance.hpp"
+#include "engine/support/parallel_for.hpp"
 
 namespace spook {
 
@@ -173,15 +174,24 @@ Twist<Dof> World<Dof>::change_by_forces(std::size_t i, double h) const {
   return Wf;
 }
 
+/// Calls work(i) for each body, on the threads of the world.
+template <int Dof>
+template <class Work>
+void World<Dof>::for_each_body(const Work& work) {
+  parallel_for(settings_.threads, bodies_.size(), [&](std::size_t, std::size_t i, std::size_t end) {
+    for (; i < end; ++i) work(i);
+  });
+}
+
 /// Computes the input of rows and impacts in addition to W: W_f and, for rigid bodies, the inertia.
 template <int Dof>
 void World<Dof>::prepare_motion(double h) {
   Motion<Dof>& motion = bodies_.motion;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for_each_body([&](std::size_t i) {
     motion.Wf[i] = change_by_forces(i, h);
     if constexpr (Dof == 6)
       if (!bodies_.is_fixed(i)) motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
-  }
+  });
 }
 
 /// Sets the default k. Bodies and forces may change in each step; the load that k follows never decreases.
@@ -270,7 +280,7 @@ SolverInput<Dof> World<Dof>::solver_input(std::vector<Twist<Dof>>& V, double h, 
 
 template <int Dof>
 void World<Dof>::warm_start_rows(double h) {
-  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h);
+  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h, settings_.threads);
   if (!impulses.empty()) warm_start(impulses, constraints_.rows, V_);  // Eq. (10.2)
 }
 
@@ -294,8 +304,8 @@ StopRule World<Dof>::stop_rule(double h) const {
 
 template <int Dof>
 void World<Dof>::integrate(double h) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_.is_fixed(i)) continue;
+  for_each_body([&](std::size_t i) {
+    if (bodies_.is_fixed(i)) return;
     Twist<Dof>& W = bodies_.motion.W[i];
     if (rows().empty()) {
       W += change_by_forces(i, h);
@@ -306,7 +316,7 @@ void World<Dof>::integrate(double h) {
     bodies_.x[i] = drift(bodies_.x[i], W.template head<3>(), h);
     if constexpr (Dof == 6) W.template tail<3>() = turned(i, W.template tail<3>(), h);
     if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();
-  }
+  });
   recovered_.clear();
   move_kinematic(h);
   end_step(h);

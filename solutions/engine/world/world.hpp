@@ -30,6 +30,7 @@
 #include "engine/constraints/joint_rows.hpp"
 #include "engine/constraints/soft_contacts.hpp"
 #include "engine/constraints/step_parts.hpp"
+#include "engine/constraints/stripes.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/impacts/impacts.hpp"
 #include "engine/integration/rattle.hpp"
@@ -112,7 +113,7 @@ struct Settings {
   /// materials must not have k and d, and `Joint::spring` and ropes are refused. A joint with a k of its own is a
   /// spring. Default: none
   std::optional<SoftSteps> soft_steps = {};
-  int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
+  int threads = 1;  ///< worker threads for contacts, rows, sweeps and bodies; they change no bit of the result
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
   StopRule solver_limits = {};
   /// Replaces the stages of the step, whose contacts and rows are empty then. The report has its iterations, and the
@@ -393,6 +394,7 @@ class World {
   void find_contacts_on_the_way(double h);
   void build_soft_contacts(double h);
   void integrate_velocities();
+  Stripes stripes_of_contacts() const;
   void build_soft_joints(double h);
   void sweep_soft_rows(double h);
   void sweep_rigid_rows(double h);
@@ -452,6 +454,8 @@ class World {
   void forget_the_last_step();
   Twist<Dof> change_by_forces(std::size_t i, double h) const;
   void prepare_motion(double h);
+  template <class Work>
+  void for_each_body(const Work& work);
   void require_directions(double h) const;
   void count_turns();
   void complete(Joint& joint) const;
@@ -476,7 +480,7 @@ class World {
   ConstraintSet<Dof> constraints_;     // the rows of joints_ and contacts_
   std::vector<Twist<Dof>> V_;          // what the rows add to each velocity
   std::vector<Twist<Dof>> recovered_;  // added to each velocity: it removes recovery, Eq. (7.17)
-  std::vector<RowState> first_solve_;  // of each row, during the second solve
+  FirstSolve first_solve_;             // during the second solve
   std::vector<SoftGap> soft_gaps_;     // of the rows of joints, in soft steps
   SoftContacts<Dof> soft_contacts_;    // in soft steps
   std::vector<Row<Dof>> soft_joints_;  // of the joints where they are now, in soft steps

@@ -30,9 +30,9 @@ void World<Dof>::solve_again(double h) {
   std::vector<Twist<Dof>> V = V_;
   const SolverResult solved = settings_.solver.solve(solver_input(V, h, stop));
   row_updates_ += solved.updates(rows().size());
-  limit_energy(solver_input(V, h, stop), next_joint_row_, first_solve_, may_throw);
+  limit_energy(solver_input(V, h, stop), next_joint_row_, first_solve_.changed, may_throw);
   add_work_of_drives(V);  // these velocities go on
-  restore(first_solve_, constraints_.rows);
+  restore(first_solve_.rows, constraints_.rows);
   recovered_.resize(V.size());
   for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
 }

@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/constraints/stripes.hpp"
 #include "engine/support/larger.hpp"
+#include "engine/support/parallel_for.hpp"
 
 namespace spook {
 
@@ -70,18 +72,27 @@ void World<Dof>::build_soft_contacts(double h) {
   set_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, constraints_);
   soft_gaps_.assign(constraints_.first_contact_row, {});
   std::vector<Row<Dof>>& rows = constraints_.rows;
-  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k) rows[k].lambda = 0;
-  for (std::size_t k = constraints_.first_contact_row; k < rows.size(); ++k) rows[k].B = 0;
-  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h);
-  for (std::size_t k = 0; k < impulses.size(); ++k) rows[k].lambda = impulses[k];
-  soft_contacts_.assign(contacts_, constraints_);
+  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h, settings_.threads);
+  for (std::size_t k = 0; k < constraints_.first_contact_row; ++k)
+    rows[k].lambda = impulses.empty() ? 0 : impulses[k];
+  soft_contacts_.assign(contacts_, constraints_, impulses, stripes_of_contacts(), settings_.threads);
+}
+
+/// Returns stripes if there are enough contacts for two threads.
+template <int Dof>
+Stripes World<Dof>::stripes_of_contacts() const {
+  if (shares_of(2, contacts_.size()) == 1) return {};
+  std::vector<std::pair<int, int>> ends;
+  ends.reserve(contacts_.size());
+  for (const Contact& contact : contacts_) ends.emplace_back(contact.i, contact.j);
+  return divide_into_stripes(ends, bodies_, settings_.threads);
 }
 
 template <int Dof>
 void World<Dof>::integrate_velocities() {
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
   if (!joints_.empty() || !kinematic_.empty()) V_ = W;
-  for (std::size_t i = 0; i < W.size(); ++i) W[i] += bodies_.motion.Wf[i];
+  for_each_body([&](std::size_t i) { W[i] += bodies_.motion.Wf[i]; });
 }
 
 /// Builds the rows of joints where they are now, with their λ of the last substep. They are built without velocities, so
@@ -155,11 +166,11 @@ void World<Dof>::integrate_positions(double h) {
     soft_gaps_[k].gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
   }
   soft_contacts_.move_gaps(h, W);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_.is_fixed(i)) continue;
+  for_each_body([&](std::size_t i) {
+    if (bodies_.is_fixed(i)) return;
     bodies_.x[i] = drift(bodies_.x[i], Vec3(W[i].template head<3>()), h);
     if constexpr (Dof == 6) W[i].template tail<3>() = turned(i, W[i].template tail<3>(), h);
-  }
+  });
   move_kinematic(h);
 }
 
