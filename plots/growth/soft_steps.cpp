@@ -7,8 +7,13 @@
 //   tower       depth of the top of a tower as high: Eq. (10.18) for each of its contacts [m]
 //   sideways    farthest that a cube of the pyramid has moved sideways [m]
 //   speed       largest speed of a cube of the pyramid [m/s]
+//   stood       farthest that the top of a pushed tower moves sideways in a minute [m], below the limit of Eq. (10.22)
+//   fell        the same, above the limit
 //
 // All cubes have sides of 1 m and 100 kg, and touch exactly; μ is 0.6. A step of 1/60 s has four substeps.
+#include <algorithm>
+#include <cmath>
+
 #include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/scene.hpp"
@@ -71,6 +76,32 @@ std::vector<Row> of_pyramid(int base) {
           {"speed", n, fastest}};
 }
 
+/// Returns how far the top of a tower moves sideways in a minute after a push [m].
+double lean_of_tower(int cubes, int substeps) {
+  World<6> world({.friction = 0.6, .soft_steps = SoftSteps{.substeps = substeps}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  int top = 0;
+  for (int k = 0; k < cubes; ++k)
+    top = world.add({.x = Vec3(0, 0, k + 0.5),
+                     .v = Vec3(0, 1e-4 * (k + 0.5) / cubes, 0),
+                     .mass = 100,
+                     .half_sides = Vec3::Constant(0.5)});
+  double most = 0;
+  for (int step = 0; step < 3600; ++step) {
+    world.step(h);
+    most = larger(most, world.x(top).head<2>().norm());
+  }
+  return most;
+}
+
+/// Returns the leans of a tower a little below the limit of Eq. (10.22), and of one a little above it.
+std::vector<Row> of_towers(int substeps) {
+  const double omega = SoftSteps{}.contacts.turn() * substeps / h, limit = std::cbrt(0.98 * omega * omega / g);
+  const int low = static_cast<int>(std::floor(0.95 * limit)), high = static_cast<int>(std::ceil(1.07 * limit));
+  return {{"stood", static_cast<double>(low), lean_of_tower(low, substeps)},
+          {"fell", static_cast<double>(high), lean_of_tower(high, substeps)}};
+}
+
 Experiment experiment(Size size) {
   const bool full = size == Size::full;
   const std::vector<std::pair<int, int>> fields =
@@ -83,6 +114,8 @@ Experiment experiment(Size size) {
                         [rows = rows, columns = columns] { return of_field(rows, columns); }});
   for (const int base : full ? std::vector<int>{5, 10, 20} : std::vector<int>{5, 10})
     e.points.push_back({"pyramid " + std::to_string(base), [base] { return of_pyramid(base); }});
+  for (const int substeps : {4, 8})
+    e.points.push_back({"towers " + std::to_string(substeps), [substeps] { return of_towers(substeps); }});
   e.check = [](const Table& table, Claims& claims) {
     const auto of = [&](const std::string& what) { return table.where("what", what).numbers("value"); };
     const auto growth = [&](const std::string& what) { return of(what).back() / of(what).front(); };
@@ -98,6 +131,11 @@ Experiment experiment(Size size) {
     claims.at_most("no cube of a pyramid moves sideways by a twentieth of its side in 1,000 steps", sideways,
                    0.05);
     claims.at_most("after 1,000 steps no cube moves faster than a centimetre a second", fastest, 0.01);
+    const std::vector<double> stood = of("stood"), fell = of("fell");
+    claims.at_most("towers of 19 cubes with four substeps, and of 31 with eight, stand for a minute",
+                   *std::max_element(stood.begin(), stood.end()), 0.05);
+    claims.at_least("towers of 23 cubes with four substeps, and of 36 with eight, fall in that time",
+                    *std::min_element(fell.begin(), fell.end()), 1);
   };
   return e;
 }

@@ -118,28 +118,36 @@ Net star(double inverse_mass) {
   return net;
 }
 
+Net square_grid(int n) {
+  Net grid;
+  std::vector<int> above;
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) {
+      const int point = grid.add_point();
+      if (row > 0) grid.join(above[static_cast<std::size_t>(column)], point);
+      if (column > 0) grid.join(point - 1, point);
+      if (row > 0)
+        above[static_cast<std::size_t>(column)] = point;
+      else
+        above.push_back(point);
+    }
+  return grid;
+}
+
 // Wide, but cheap: in a good order, the factors of a grid of n x n take some n³ multiplications, where a band of its width
 // takes n⁴, and a sweep n².
 TEST(Islands, CountTheFactorsOfAGrid) {
-  const auto cost = [](int n, double affordable) {
-    Net grid;
-    std::vector<int> above;
-    for (int row = 0; row < n; ++row)
-      for (int column = 0; column < n; ++column) {
-        const int point = grid.add_point();
-        if (row > 0) grid.join(above[static_cast<std::size_t>(column)], point);
-        if (column > 0) grid.join(point - 1, point);
-        if (row > 0)
-          above[static_cast<std::size_t>(column)] = point;
-        else
-          above.push_back(point);
-      }
-    return factor_cost(grid.rows, affordable);
-  };
+  const auto cost = [](int n, double affordable) { return factor_cost(square_grid(n).rows, affordable); };
   EXPECT_EQ(cost(10, infinity), cost(10, 1e6)) << "a bound that is affordable suffices";
   for (const int n : {20, 40}) EXPECT_LT(cost(n, 1), cost(n, infinity) / 5) << n;
   EXPECT_LT(cost(80, 1) / cost(40, 1), 3) << "in sweeps, the order is n; that of the bound is n²";
   EXPECT_GT(cost(80, infinity) / cost(40, infinity), 3.5);
+}
+
+TEST(Islands, CountFactorsOverVelocities) {
+  const auto counted = [](int n) { return counted_velocity_factor_cost(square_grid(n).rows); };
+  for (const int n : {20, 40}) EXPECT_LT(counted(n), velocity_factor_cost(square_grid(n).rows) / 5) << n;
+  EXPECT_LT(counted(80) / counted(40), 3);
 }
 
 TEST(Islands, CountNoFactorsOfRowsWithBounds) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "12_stiff_wires/stiff_wires.hpp"
+#include "engine/solvers/islands.hpp"
 #include "engine/solvers/small_direct.hpp"
 #include "engine/world/world.hpp"
 #include "raw_system.hpp"
@@ -289,8 +290,8 @@ World<3> stack(Solver<3> solver, bool warm = false) {
 }
 
 /// Cubes of 1 m that touch exactly, `base` of them in the lowest row.
-World<6> pyramid(int base) {
-  World<6> world({.friction = 0.6});
+World<6> pyramid(int base, const StopRule& stop = {}) {
+  World<6> world({.friction = 0.6, .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int row = 0; row < base; ++row)
     for (int n = 0; n < base - row; ++n)
@@ -314,6 +315,21 @@ TEST(Default, SolvesASettlingPyramidInFewIterationsOfAStep) {
   }
   EXPECT_LE(iterations, 8 * steps);
   for (int b = 1; b < std::ssize(world.bodies().x); ++b) EXPECT_LT(world.v(b).norm(), 1e-6) << "body " << b;
+}
+
+TEST(Default, HoldsAPyramidWhoseFactorsSeemTooDear) {
+  // As wide as it is, their bound is a hundred times the allowed sweeps, and more. Counted, they cost a fifth of it.
+  const StopRule few{.max_sweeps = 6};
+  World<6> world = pyramid(30, few);
+  world.step(1.0 / 60);
+  ASSERT_GT(velocity_factor_cost(world.rows()), 100 * few.max_sweeps);
+  ASSERT_LT(counted_velocity_factor_cost(world.rows()), 5 * few.max_sweeps);
+  for (int n = 0; n < 10; ++n) {
+    world.step(1.0 / 60);
+    double largest = 0;
+    for (const Row<6>& row : world.rows()) largest = std::max(largest, std::abs(row.B));
+    EXPECT_LE(world.report().residual, 1e-6 * largest) << "step " << n;
+  }
 }
 
 /// Turned cubes of 1 m above each other in a pit, which will fall into a heap; another for each `number`.

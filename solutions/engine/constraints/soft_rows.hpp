@@ -27,7 +27,8 @@ struct SoftSpring {
 };
 
 /// Soft steps, the method of today's game engines: several substeps in one search for contacts. A substep sweeps soft
-/// rows, moves the bodies, and sweeps rigid rows, from the impulses of the last one: Eq. (10.15), (10.16).
+/// rows, moves the bodies, and sweeps rigid rows, from the impulses of the last one: Eq. (10.15), (10.16). The more
+/// substeps, the higher structures stand: Eq. (10.22).
 struct SoftSteps {
   int substeps = 4;                                     ///< in a step, 1 to 1024
   SoftSpring contacts{.frequency = 0.2, .damping = 5};  ///< 48 Hz in 4 substeps of a step of 1/60 s

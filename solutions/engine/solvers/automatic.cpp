@@ -9,6 +9,9 @@
 //               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
 //               at once without cones; on cones they get factors unless one sweep converges, as it does at rest
 //
+// Costs are bounds, and those of wide structures are far too high. So where a structure at rest seems too dear, its cost
+// is counted, and may be 5 times that of the allowed sweeps. It gets no more factors for a hundred steps if they fail.
+//
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
 // largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it. A sweep may change
@@ -83,7 +86,8 @@ struct IslandProblem {
 template <int Dof>
 struct Island {
   std::vector<int> members;
-  std::optional<double> cost;  ///< of factors, in sweeps
+  std::optional<double> cost;     ///< of factors, in sweeps
+  std::optional<double> counted;  ///< the same, counted, on cones
   RowAndVelocityFactors<Dof> factors;
   ContactVelocitySystem<Dof> on_cones;
 };
@@ -108,6 +112,7 @@ class KnownIslands {
       for (std::size_t n = 0; n < all.size(); ++n) {
         islands_[n]->members = std::move(all[n]);
         islands_[n]->cost.reset();
+        islands_[n]->counted.reset();
       }
     }
     return std::span(islands_).first(count_);
@@ -130,8 +135,12 @@ class Automatic {
   }
 
   SolverResult operator()(const SolverInput<Dof>& s) {
-    if (calls_++ % calls_until_forgotten == 0) hard_.clear();
+    if (calls_++ % calls_until_forgotten == 0) {
+      hard_.clear();
+      unsolved_.clear();
+    }
     hard_.resize(s.V.size(), false);
+    unsolved_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows(), s.V.size());
     const std::vector<FrictionContact> none;
     const std::vector<FrictionContact>& on_cones = on_cones_ ? s.constraints.friction : none;
@@ -159,11 +168,12 @@ class Automatic {
     return result;
   }
 
-  void state(StateStream& s) { s(hard_, calls_); }
+  void state(StateStream& s) { s(hard_, unsolved_, calls_); }
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;     // in allowed sweeps
+  static constexpr double worth_of_a_solution = 100;     // in allowed sweeps, by the bound of the cost
+  static constexpr double counted_worth = 5;             // in allowed sweeps, by the counted cost
   static constexpr double worth_of_all_attempts = 2400;  // in allowed sweeps, of all factors of a solve
   static constexpr double share_may_be_left = 0.1;       // of the approach of moving contacts
 
@@ -225,9 +235,9 @@ class Automatic {
 
   SolverResult solve_one(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) {
     const double sweeps = s.stop.max_sweeps;
-    const bool moves = part.approach > 0;
-    const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
-    const bool at_once = may && *island.cost <= sweeps, hard = may && !moves && is_hard(island, s.rows());
+    const bool moves = part.approach > 0, has_factors = part.has_factors();
+    const bool at_once = has_factors && *island.cost <= sweeps;
+    const bool hard = has_factors && !moves && any_marked(hard_, island, s.rows()) && is_worth(island, s, part);
     // On cones λ of the last step may be a solution still, which a sweep shows.
     if (at_once || (hard && part.friction.empty())) {
       start_from(part.last, part.rows, part.V);
@@ -236,13 +246,24 @@ class Automatic {
     const int most = hard ? 1 : moves ? 2 * s.stop.max_sweeps : s.stop.max_sweeps;
     SolverResult swept = this->swept(part, {.max_sweeps = most, .tolerance = s.stop.tolerance});
     swept.row_updates = swept.updates(part.rows.size());
-    if (!may || is_enough(swept.report, part, hard)) return swept;
-    if (!moves)
-      for (const int k : island.members) {
-        if (moves_i(s.rows()[k])) hard_[s.rows()[k].i] = true;
-        if (moves_j(s.rows()[k])) hard_[s.rows()[k].j] = true;
-      }
-    return append(std::move(swept), factorised(part, enough(part, s.stop), sweeps, island), part.rows.size());
+    if (!has_factors || is_enough(swept.report, part, hard) || !is_worth(island, s, part)) return swept;
+    if (!moves) mark(hard_, island, s.rows());
+    const SolverResult solved = factorised(part, enough(part, s.stop), sweeps, island);
+    if (!solved.report.converged && !is_cheap(island, s)) mark(unsolved_, island, s.rows());
+    return append(std::move(swept), solved, part.rows.size());
+  }
+
+  /// Tells whether factors are worth their cost by its bound.
+  static bool is_cheap(const Island<Dof>& island, const SolverInput<Dof>& s) {
+    return *island.cost <= worth_of_a_solution * s.stop.max_sweeps;
+  }
+
+  /// Tells whether factors are worth their cost. It is not counted for contacts that move, which are others in each step.
+  bool is_worth(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) const {
+    if (is_cheap(island, s)) return true;
+    if (part.friction.empty() || part.approach > 0 || any_marked(unsolved_, island, s.rows())) return false;
+    if (!island.counted) island.counted = counted_velocity_factor_cost(part.rows);
+    return *island.counted <= counted_worth * s.stop.max_sweeps;
   }
 
   double enough(const IslandView& part, const StopRule& stop) const {
@@ -288,15 +309,23 @@ class Automatic {
                            .suffices = part.approach > 0 ? 0 : shares_.left});
   }
 
-  bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {
+  static void mark(std::vector<bool>& bodies, const Island<Dof>& island, const std::vector<Row<Dof>>& rows) {
+    for (const int k : island.members) {
+      if (moves_i(rows[k])) bodies[rows[k].i] = true;
+      if (moves_j(rows[k])) bodies[rows[k].j] = true;
+    }
+  }
+  static bool any_marked(const std::vector<bool>& bodies, const Island<Dof>& island,
+                         const std::vector<Row<Dof>>& rows) {
     return std::any_of(island.members.begin(), island.members.end(), [&](int k) {
-      return (moves_i(rows[k]) && hard_[rows[k].i]) || (moves_j(rows[k]) && hard_[rows[k].j]);
+      return (moves_i(rows[k]) && bodies[rows[k].i]) || (moves_j(rows[k]) && bodies[rows[k].j]);
     });
   }
 
   bool on_cones_;
   Shares shares_;
-  std::vector<bool> hard_;  // bodies of islands that sweeps did not solve in a recent step
+  std::vector<bool> hard_;      // bodies of islands that sweeps did not solve in a recent step
+  std::vector<bool> unsolved_;  // of those whose counted factors failed
   int calls_ = 0;
   ScratchCache<KnownIslands<Dof>> islands_;
 };

@@ -229,6 +229,11 @@ double velocity_factor_cost(const std::vector<Row<Dof>>& rows) {
 }
 
 template <int Dof>
+double counted_velocity_factor_cost(const std::vector<Row<Dof>>& rows) {
+  return count_on_velocities(rows) / (multiplications_of_row * static_cast<double>(rows.size()));
+}
+
+template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows, double affordable) {
   const int bodies = moving_bodies(rows);
   if (bodies == 0) return 0;
@@ -236,8 +241,8 @@ double factor_cost(const std::vector<Row<Dof>>& rows, double affordable) {
   const bool by_velocities = fewer_than(rows, Dof * bodies);
   const double bound = by_velocities ? on_velocities(rows, bodies, levels) : on_rows(rows, levels);
   if (bound <= affordable || std::any_of(rows.begin(), rows.end(), is_bounded<Dof>)) return bound;
+  if (by_velocities) return std::min(bound, counted_velocity_factor_cost(rows));
   const double sweep = multiplications_of_row * static_cast<double>(rows.size());
-  if (by_velocities) return std::min(bound, count_on_velocities(rows) / sweep);
   const RowsOnBodies on_bodies(rows);
   if (least_on_rows(on_bodies) > affordable * sweep) return bound;
   return std::min(bound, count_on_rows(rows, on_bodies) / sweep);
@@ -251,5 +256,7 @@ template double factor_cost<3>(const std::vector<Row<3>>&, double);
 template double factor_cost<6>(const std::vector<Row<6>>&, double);
 template double velocity_factor_cost<3>(const std::vector<Row<3>>&);
 template double velocity_factor_cost<6>(const std::vector<Row<6>>&);
+template double counted_velocity_factor_cost<3>(const std::vector<Row<3>>&);
+template double counted_velocity_factor_cost<6>(const std::vector<Row<6>>&);
 
 }  // namespace spook
