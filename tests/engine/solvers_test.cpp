@@ -318,7 +318,8 @@ TEST(Default, SolvesASettlingPyramidInFewIterationsOfAStep) {
 }
 
 TEST(Default, HoldsAPyramidWhoseFactorsSeemTooDear) {
-  // As wide as it is, their bound is a hundred times the allowed sweeps, and more. Counted, they cost a fifth of it.
+  // The pyramid is wide, so the bound of their cost exceeds a hundred times the allowed sweeps. The counted cost is less
+  // than five times these.
   const StopRule few{.max_sweeps = 6};
   World<6> world = pyramid(30, few);
   world.step(1.0 / 60);

@@ -116,11 +116,11 @@ void SoftContacts<Dof>::warm_start(std::vector<Twist<Dof>>& W) {
   sweep([&](std::size_t c) {
     const PointRow<Dof>& normal = normals_[c].row;
     if (normal.lambda != 0) push(normal, normal.lambda, W[normal.i], W[normal.j]);
-    if (friction_.empty()) return 0;
+    if (friction_.empty()) return 0.0;
     const auto& [row1, row2, s, mass, Sigma, mu] = friction_[c];
     const Vec2 lambda(row1.lambda, row2.lambda);
     if (!lambda.isZero(0)) push(row1, row2, lambda, W[row1.i], W[row1.j]);
-    return 0;
+    return 0.0;
   });
 }
 
