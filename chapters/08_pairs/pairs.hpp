@@ -14,7 +14,7 @@
 //   separating axis  the largest g(n) of 15: 3 + 3 faces, 9 pairs of edges         Eq. (8.7)    not in the notes
 //   clipping         the part of a polygon with n·x <= offset                      Eq. (8.8)    not in the notes
 //   two edges        the points of two lines that are nearest to each other        Eq. (8.9)    not in the notes
-//   well spread      four of many, around the mean of them all                     Eq. (8.10)   not in the notes
+//   held load        within the hull of the contacts that push                     Eq. (8.10)   not in the notes
 //   bounds           x ± Σ h_k |e_k|                                               Eq. (8.11)   not in the notes
 //   sweep and prune  in order along one axis, neighbours only are compared         Eq. (8.12)   "sweep-and-prune"
 //   level            cells of 2^l, the smallest 2^l >= the size of a body          Eq. (8.13)   not in the notes
@@ -99,19 +99,22 @@ SeparatingAxis separating_axis(const Box& i, const Box& j);
 /// nothing is left.
 std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double offset);
 
-/// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in the
-/// notes. Four or fewer stay unchanged. Of more contacts, not all on one line, four are kept. The deepest is among
-/// them, or one that is less deep by at most 0.003 of the largest distance from the mean. The mean of all points is
-/// within the four, to round-off. They span at least half the largest area of Eq. (8.10). Round-off does not decide.
-/// If several contacts are equally deep, or several choices of four have equal areas, the choice stays the same when
-/// points change by 1e-9 of the distances, and gaps by 1e-3.
-std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
+/// Exercise 8.7. The contact of two edges, edge_i of box i and edge_j of box j: Eq. (8.3), (8.9); not in the notes. Of
+/// the four edges of i along axes.col(edge_i) it is the farthest along n, of those of j the farthest along -n. p is in
+/// the middle between the points of the two edges, as straight lines, that are nearest to each other. n and the gap are
+/// those of the axis. The edges are not parallel. Only x_j - x_i matters, so the accuracy is the same far from the
+/// origin.
+Contact edge_contact(const Box& i, const Box& j, const SeparatingAxis& axis);
 
-/// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
+/// Exercise 8.8. Appends the contacts of two boxes, at most eight, and at least one if they overlap: Eq. (8.3),
 /// (8.6)-(8.10); not in the notes. Each p is in the middle between the two surfaces, along n.
 ///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
-///            of the four sides around the reference face. well_spread keeps four of its corners with g <= 0
-///   edges    one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
+///            of the four sides around the reference face. Each of its corners with g <= 0 is a contact. But as long
+///            as more than four are left, in their order, one is left out whose p is closer to the line through those of
+///            its two neighbours than a fiftieth of the smallest half side
+///   edges    one contact, by edge_contact. But where a face's normal is within 8 degrees of the edges' n, cosine 0.99
+///            or more, and the contacts on this face are at least two, they are the contacts. Faces of i count before
+///            those of j
 ///   neither  if clipping leaves no corner with g <= 0: a contact at each corner of the whole incident face with g <= 0,
 ///            or only at the deepest one
 /// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not

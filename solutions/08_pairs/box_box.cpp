@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "08_pairs/pairs.hpp"
 
@@ -36,6 +37,20 @@ void cut(std::vector<Vec3>& polygon, const Vec3& n, double offset) {
   if (!std::all_of(polygon.begin(), polygon.end(), stays)) polygon = clip(polygon, n, offset);
 }
 
+/// Leaves out, of more than four contacts around a face, those that are closer than `close` to the line through their
+/// neighbours. Without these the hull is nearly the same, Eq. (8.10).
+void leave_out_flat_corners(double close, std::vector<Contact>& contacts) {
+  for (std::size_t k = 0; k < contacts.size() && contacts.size() > 4;) {
+    const std::size_t count = contacts.size();
+    const Vec3 &before = contacts[(k + count - 1) % count].r_i, &after = contacts[(k + 1) % count].r_i;
+    const Vec3 side = after - before;
+    if (side.cross(contacts[k].r_i - before).norm() < close * side.norm())
+      contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(k));
+    else
+      ++k;
+  }
+}
+
 /// Returns the contacts of the face of `box` along its axis `face`, with outward normal n, with the box `other`; i is
 /// `box`.
 std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, const Box& other) {
@@ -61,20 +76,8 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   // Beside the face: its lowest corner, or two at the ends of a level edge.
   if (contacts.empty())
     for (const Vec3& corner : face_of_other) add(corner);
-  if (contacts.size() <= 4) return contacts;
-  return well_spread(contacts);
-}
-
-/// Returns the contact of the two edges that define the axis.
-Contact edge_contact(const Box& i, const Box& j, const SeparatingAxis& axis) {
-  const Vec3 a = i.axes.col(axis.edge_i), b = j.axes.col(axis.edge_j), apart = j.x - i.x;
-  // The corners deepest in the other box are ends of the edges: a line through them is a line through the edges.
-  const Vec3 on_i = deepest_corner(i, axis.n), on_j = apart + deepest_corner(j, -axis.n);
-  const Vec3 across = a.cross(b), between = on_j - on_i;
-  const double s = between.cross(b).dot(across) / across.squaredNorm();  // Eq. (8.9)
-  const double t = between.cross(a).dot(across) / across.squaredNorm();
-  const Vec3 r = (on_i + s * a + on_j + t * b) / 2;
-  return {.i = i.body, .j = j.body, .n = axis.n, .gap = axis.gap, .r_i = r, .r_j = r - apart};
+  leave_out_flat_corners(0.02 * box.half_sides.cwiseMin(other.half_sides).minCoeff(), contacts);
+  return contacts;
 }
 
 Contact exchanged(const Contact& contact) {
@@ -86,6 +89,36 @@ Contact exchanged(const Contact& contact) {
           .r_j = contact.r_i};
 }
 
+/// Returns the contacts on the face that the axis belongs to; i is `first`.
+std::vector<Contact> on_a_face(const Box& first, const Box& second, const SeparatingAxis& axis) {
+  if (axis.face_i >= 0) return face_contacts(first, axis.face_i, axis.n, second);
+  std::vector<Contact> found = face_contacts(second, axis.face_j, -axis.n, first);
+  for (Contact& contact : found) contact = exchanged(contact);
+  return found;
+}
+
+/// Returns the axis of a face whose normal is within 8 degrees of n, which is that of two edges: a face of i, else of j.
+/// Its gap is not computed.
+std::optional<SeparatingAxis> nearly_flat(const Box& i, const Box& j, const Vec3& n) {
+  constexpr double flat = 0.99;  // the cosine
+  const Vec3 along_i = i.axes.transpose() * n, along_j = j.axes.transpose() * n;
+  int k;
+  if (along_i.cwiseAbs().maxCoeff(&k) >= flat)
+    return SeparatingAxis{.n = std::copysign(1.0, along_i[k]) * i.axes.col(k), .gap = 0, .face_i = k};
+  if (along_j.cwiseAbs().maxCoeff(&k) >= flat)
+    return SeparatingAxis{.n = std::copysign(1.0, along_j[k]) * j.axes.col(k), .gap = 0, .face_j = k};
+  return {};
+}
+
+/// Returns the contacts of two edges: those on a nearly flat face if there are at least two, else that of the edges.
+std::vector<Contact> on_edges(const Box& first, const Box& second, const SeparatingAxis& axis) {
+  if (const auto face = nearly_flat(first, second, axis.n)) {
+    std::vector<Contact> found = on_a_face(first, second, *face);
+    if (found.size() >= 2) return found;
+  }
+  return {edge_contact(first, second, axis)};
+}
+
 }  // namespace
 
 void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts) {
@@ -93,16 +126,8 @@ void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts) {
   const Box &first = exchange ? j : i, &second = exchange ? i : j;
   const SeparatingAxis axis = separating_axis(first, second);
   if (!(axis.gap <= 0 && std::isfinite(axis.gap))) return;
-
-  std::vector<Contact> found;  // of first, as i, with second
-  if (axis.face_i >= 0) {
-    found = face_contacts(first, axis.face_i, axis.n, second);
-  } else if (axis.face_j >= 0) {
-    found = face_contacts(second, axis.face_j, -axis.n, first);
-    for (Contact& contact : found) contact = exchanged(contact);
-  } else {
-    found = {edge_contact(first, second, axis)};
-  }
+  const std::vector<Contact> found =
+      axis.edge_i >= 0 ? on_edges(first, second, axis) : on_a_face(first, second, axis);
   for (const Contact& contact : found) contacts.push_back(exchange ? exchanged(contact) : contact);
 }
 

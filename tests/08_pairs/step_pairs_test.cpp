@@ -186,7 +186,7 @@ EXERCISE_TEST(StepPairs, StacksBoxes) {
       "Two boxes weigh on four corners: a gap of -2 m g/(4 k).");
   expect_near("gap between the two [m]", "Eq. (3.13)", upper - lower - 2 * side, -quarter,
               {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
-              {{-4 * quarter, "One corner carries the whole weight, but well_spread keeps four."}},
+              {{-4 * quarter, "One corner carries the whole weight, but four corners are contacts."}},
               "The upper box weighs on four corners: a gap of -m g/(4 k).");
 }
 

@@ -50,7 +50,7 @@ EXERCISE(PlaneBox, "8.3 plane_box");
 EXERCISE(BoxBall, "8.4 box_ball");
 EXERCISE(SeparatingAxis, "8.5 separating_axis");
 EXERCISE(Clip, "8.6 clip");
-EXERCISE(WellSpread, "8.7 well_spread");
+EXERCISE(EdgeContact, "8.7 edge_contact");
 EXERCISE(BoxBox, "8.8 box_box");
 EXERCISE(Bounds, "8.9 bounds");
 EXERCISE(SweepAndPrune, "8.10 sweep_and_prune");
@@ -134,21 +134,13 @@ EXERCISE_TEST(Clip, IsTheSameInAnyUnits) {
     expect_same_in_any_units("Eq. (8.8)", clip, m, polygon * m, Vec3(0.6, 0, 0.8), offset * m);
 }
 
-EXERCISE_TEST(WellSpread, IsTheSameInAnyUnits) {
+EXERCISE_TEST(EdgeContact, IsTheSameInAnyUnits) {
   Random random;
-  for (const int count : {3, 6, 8}) {
-    std::vector<Contact> contacts;
-    for (int k = 0; k < count; ++k) {
-      const Vec3 r{random.uniform(-1, 1), random.uniform(-1, 1), 0};
-      contacts.push_back({.i = 0,
-                          .j = 1,
-                          .n = Vec3::UnitZ(),
-                          .gap = -random.uniform(0, 0.01),
-                          .r_i = r,
-                          .r_j = r - Vec3(0, 0, 1)});
-    }
-    expect_same_in_any_units_nans_aside("Eq. (8.10)", well_spread, units::by_field, contacts);
-  }
+  const Box i = random_box(random, 2);
+  const Box j = random_box(random, 5);
+  const Vec3 n = i.axes.col(1).cross(j.axes.col(2)).normalized();
+  const SeparatingAxis axis{.n = n.dot(j.x - i.x) < 0 ? Vec3(-n) : n, .gap = -0.01, .edge_i = 1, .edge_j = 2};
+  expect_same_in_any_units("Eq. (8.9)", edge_contact, units::by_field, i, j, axis);
 }
 
 EXERCISE_TEST(BoxBox, IsTheSameInAnyUnits) {

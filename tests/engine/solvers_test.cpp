@@ -356,14 +356,47 @@ TEST(Default, LooksAtAHeapThatRestsInFewIterations) {
   int iterations = 0;
   for (int number = 0; number < heaps; ++number) {
     World<6> world = heap(number);
-    while (world.time() < 9) world.step(1.0 / 60);
-    while (world.time() < 10) {
+    while (world.time() < 12) world.step(1.0 / 60);
+    while (world.time() < 13) {
       world.step(1.0 / 60);
       iterations += world.report().iterations;
     }
     for (const Twist<6>& W : world.bodies().motion.W) EXPECT_LT(W.norm(), 1e-3) << "heap " << number;
   }
   EXPECT_LE(iterations, 5 * 60 * heaps);
+}
+
+/// Returns forty cubes of 1 kg and 12 cm that fall into a box, in soft contact: mg/k is 0.1 mm. `number` makes one heap
+/// differ from another.
+World<6> soft_heap(int number) {
+  World<6> world({.k = 1e5, .friction = 0.5});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
+    world.set_material(world.add_plane(inwards, -0.375), {.friction = 0});
+  for (int n = 0; n < 40; ++n) {
+    const auto any = [&](int which) { return std::sin(100.0 * number + 7 * n + 2.3 * which); };
+    world.add({.x = Vec3(0.25 * (n % 3 - 1) + 0.02 * any(0), 0.25 * (n / 3 % 3 - 1) + 0.02 * any(1),
+                         0.125 + 0.25 * (n / 9)),
+               .q = Quat(any(2), any(3), any(4), any(5)).normalized(),
+               .half_sides = Vec3::Constant(0.06)});
+  }
+  return world;
+}
+
+TEST(Default, LetsEveryHeapRest) {
+  // Each of these heaps trembled for ever, at millimetres a second and more, when two boxes had at most four contacts,
+  // or only that of two edges where their faces were nearly parallel. Of 151 heaps of this kind 12 did so.
+  for (const int number : {17, 35, 60, 92, 98, 115}) {
+    World<6> world = soft_heap(number);
+    while (world.time() < 5) world.step(1.0 / 60);
+    int iterations = 0;
+    while (world.time() < 6) {
+      world.step(1.0 / 60);
+      iterations += world.report().iterations;
+    }
+    EXPECT_LE(iterations, 15 * 60) << "heap " << number;
+    for (const Twist<6>& W : world.bodies().motion.W) EXPECT_LT(W.norm(), 1e-3) << "heap " << number;
+  }
 }
 
 TEST(Default, HoldsAGridOfJoints) {

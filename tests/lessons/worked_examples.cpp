@@ -166,7 +166,13 @@ void boxes() {
   for (const Vec3& corner : face) say_all(name + "clipped", corner.head<2>());
   std::vector<Contact> contacts;
   box_box(i, j, contacts);
-  for (const Contact& contact : contacts) say_all(name + "contact", contact.r_i);
+  double least = infinity, low = infinity, high = -infinity;  // depth and heights: equal for all
+  for (const Contact& contact : contacts) {
+    least = std::min(least, -contact.gap);
+    low = std::min(low, contact.r_i.z()), high = std::max(high, contact.r_i.z());
+  }
+  say(name + "depth", contacts.size() == 5 ? least : 0);
+  say(name + "height", (low + high) / 2);
 }
 
 /// Chapter 13: a hinge that is slightly open.

@@ -1,4 +1,4 @@
-"""Chapter 08, continued: a face that is clipped, four of eight points, sorted intervals, and grids."""
+"""Chapter 08, continued: a face that is clipped, a load within its contacts, sorted intervals, and grids."""
 
 import math
 
@@ -84,46 +84,23 @@ def _cut(polygon, n, offset: float):
     return result
 
 
-def four_of_eight() -> Drawing:
-    d = Drawing(318, "Four of eight contacts: the deepest, far apart, with the mean within; and four that let it tip")
+def load_within() -> Drawing:
+    d = Drawing(318, "A load over one of eight corners: within the hull of all eight, outside of that of four")
     outline = [(1.0, 0.35), (0.55, 0.92), (-0.2, 1.0), (-0.92, 0.62), (-1.0, -0.2), (-0.5, -0.9), (0.25, -1.0),
                (0.95, -0.55)]
-    deepest = 5
-    mean = (sum(p[0] for p in outline) / 8, sum(p[1] for p in outline) / 8)
-    fours = [(5, *rest) for rest in _choices([0, 1, 2, 3, 4, 6, 7])]
-    kept = max(fours, key=lambda four: _area(outline, sorted(four), mean))
-    for middle, four, title, colour in ((185, sorted(kept), "kept: the largest area around the mean", "good"),
-                                        (535, [4, 5, 6, 7], "not these: what rests on the mean tips", "impulse")):
+    load = (-0.14, 0.88)
+    for middle, kept, title, colour in ((185, range(8), "eight contacts: the box stands", "good"),
+                                        (535, (1, 3, 5, 7), "four of them: it tips", "impulse")):
         f = Frame((middle, 150), 108)
         d.path([f(*p) for p in outline], "faint fill", closed=True)
-        d.path([f(*outline[k]) for k in four], f"{colour} fill", closed=True)
-        for k in four if colour == "good" else ():
-            d.line(f(*mean), f(*outline[k]), "good thin dash")
+        d.path([f(*outline[k]) for k in kept], f"{colour} fill", closed=True)
         for k, p in enumerate(outline):
-            d.dot(f(*p), colour if k in four else "soft", 6 if k in four else 5)
-        d.dot(f(*mean), "ink", 5)
-        d.text((f(*mean)[0] + 12, f(*mean)[1] + 6), "$c$", "ink", "start")
-        at = f(*outline[deepest])
-        d.text((at[0] - 12, at[1] + 16), "$D$", colour, "end")
+            d.dot(f(*p), colour if k in kept else "soft", 6 if k in kept else 5)
+        at = f(*load)
+        d.dot(at, "ink", 6)
+        d.text((at[0], at[1] + 44), "load", "ink")
         d.text((middle, 304), title, "soft", size="small")
-    at = Frame((185, 150), 108)
-    for name, k in zip("ABC", [k for k in sorted(kept, key=lambda k: (k - deepest) % 8)][1:]):
-        x, y = outline[k]
-        d.text((at(1.14 * x, 1.14 * y)[0], at(1.14 * x, 1.14 * y)[1] + 6), f"${name}$", "good")
     return d
-
-
-def _choices(rest: list[int]):
-    return [(a, b, c) for n, a in enumerate(rest) for m, b in enumerate(rest[n + 1:], n + 1) for c in rest[m + 1:]]
-
-
-def _area(points, four, mean) -> float:
-    """Returns the area of Eq. (8.10); negative if the mean is outside."""
-    terms = []
-    for k, n in zip(four, four[1:] + four[:1]):
-        p, q = ((points[m][0] - mean[0], points[m][1] - mean[1]) for m in (k, n))
-        terms.append((p[0] * q[1] - p[1] * q[0]) / 2)
-    return sum(terms) if min(terms) >= 0 else -1.0
 
 
 def sorted_intervals() -> Drawing:

@@ -63,6 +63,17 @@ static double smallest_size(const std::vector<double>& sizes, const std::vector<
 }
 
 /// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
+/// Tells whether the residual rises tenfold in the second half of the history, from which its rate is computed. Then
+/// several methods were tried, each from the start, and there is no rate.
+static bool begins_anew(const std::vector<double>& history) {
+  double least = infinity;
+  for (std::size_t k = history.size() / 2; k < history.size(); ++k) {
+    if (history[k] > 10 * least) return true;
+    least = std::min(least, history[k]);
+  }
+  return false;
+}
+
 template <int Dof>
 static double fastest_products(const World<Dof>& world) {
   double longest = 0, fastest = 0;
@@ -156,7 +167,8 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
                     " m in a step, more than a hundredth of the size " + text(size) +
                     " m: more substeps would reduce it");
   }
-  double left = solved.converged ? residual : estimated_error(residual, solved.history);
+  const bool has_rate = !solved.converged && !begins_anew(solved.history);
+  double left = has_rate ? estimated_error(residual, solved.history) : residual;
   const bool stalled =
       std::ssize(solved.history) >= least_history && observed_rate(solved.history) >= stalled_rate;
   if (left > share_unsolved * asked && stalled)

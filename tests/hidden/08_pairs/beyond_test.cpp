@@ -17,7 +17,7 @@ EXERCISE(PlaneBox, "8.3 plane_box");
 EXERCISE(BoxBall, "8.4 box_ball");
 EXERCISE(SeparatingAxis, "8.5 separating_axis");
 EXERCISE(Clip, "8.6 clip");
-EXERCISE(WellSpread, "8.7 well_spread");
+EXERCISE(EdgeContact, "8.7 edge_contact");
 EXERCISE(BoxBox, "8.8 box_box");
 EXERCISE(Bounds, "8.9 bounds");
 EXERCISE(SweepAndPrune, "8.10 sweep_and_prune");
@@ -312,29 +312,97 @@ EXERCISE_TEST(Clip, KeepsWhatIsBelowThePlane) {
   expect_true("of no corners none are left", "Eq. (8.8)", clip({}, Vec3::UnitZ(), 0).empty());
 }
 
-EXERCISE_TEST(WellSpread, KeepsTheDeepestAndAWideArea) {
+/// Returns the corner with the largest n·p, of all eight. Its edge along an axis across n is as far as any.
+Vec3 farthest_of_eight(const Box& box, const Vec3& n) {
+  Vec3 farthest = box.x;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const Vec3 p = box.x + box.axes * signs.cwiseProduct(box.half_sides);
+    if (n.dot(p) > n.dot(farthest)) farthest = p;
+  }
+  return farthest;
+}
+
+EXERCISE_TEST(EdgeContact, IsTheMiddleOfTheShortestWay) {
   Random random;
-  for (const int count : {3, 4, 5, 8, 20}) {
-    std::vector<Contact> contacts;
-    for (int k = 0; k < count; ++k) {
-      const double angle = 2 * std::numbers::pi * k / count,
-                   depth = random.uniform(0.01, 0.02) + 0.1 * (k == 2);
-      const Vec3 r(2 * std::cos(angle), std::sin(angle), 0);
-      contacts.push_back({.i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = -depth, .r_i = r, .r_j = r});
-    }
-    const std::vector<Contact> kept = well_spread(contacts);
-    expect_true("four are kept, or all of fewer", "Eq. (8.10)", std::ssize(kept) == std::min(count, 4));
-    double deepest = 0, found = 0;
-    for (const Contact& c : contacts) deepest = std::min(deepest, c.gap);
-    for (const Contact& c : kept) found = std::min(found, c.gap);
-    expect_near("gap of the deepest that is kept [m]", "Eq. (8.10)", found, deepest, {0, "it is one of them"});
-    if (count < 8) continue;
-    std::vector<Vec3> corners;
-    for (const Contact& c : kept) corners.push_back(c.r_i);
-    std::sort(corners.begin(), corners.end(),
-              [](const Vec3& a, const Vec3& b) { return std::atan2(a.y(), a.x()) < std::atan2(b.y(), b.x()); });
-    expect_at_least("area of those that are kept [m²]", "Eq. (8.10)", area(corners, Vec3::UnitZ()), 3,
-                    "the largest four-cornered area in this ellipse is 4 m²");
+  int seen = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Box i = any_box(random, trial % 2 ? 2 : 9, 1), j = any_box(random, 5, 1);
+    const int edge_i = random.integer(0, 2), edge_j = random.integer(0, 2);
+    const Vec3 a = i.axes.col(edge_i), b = j.axes.col(edge_j), across = a.cross(b);
+    const double sine = across.norm();
+    if (sine < 0.1) continue;
+    ++seen;
+    const Vec3 n = (trial % 3 ? across : -across) / sine;
+    const double gap = gap_along(n, i, j);  // positive or negative: the points are the same
+    const Vec3 on_i = farthest_of_eight(i, n), on_j = farthest_of_eight(j, -n);
+    // From on_i along one edge by s, along n by the shortest way, and along the other edge back by t to on_j.
+    Mat3 ways;
+    ways << a, n, -b;
+    const Vec3 steps = ways.fullPivLu().solve(on_j - on_i);
+    const Vec3 end_on_i = on_i + steps[0] * a, end_on_j = on_j + steps[2] * b;
+    const Contact got = edge_contact(i, j, {.n = n, .gap = gap, .edge_i = edge_i, .edge_j = edge_j});
+    const Tolerance close = roundings(500 / sine / sine, 10);
+    expect_near_vector("x_i + r_i, the middle of the shortest way between two edges [m]", "Eq. (8.9)",
+                       Vec3(i.x + got.r_i), Vec3((end_on_i + end_on_j) / 2), close);
+    expect_near_vector("x_j + r_j, the middle of the shortest way between two edges [m]", "Eq. (8.9)",
+                       Vec3(j.x + got.r_j), Vec3((end_on_i + end_on_j) / 2), close);
+    expect_near("gap, the length of the shortest way along n [m]", "Eq. (8.6)", got.gap, steps[1], close);
+    expect_true("n and the gap are those of the axis", "Eq. (8.7)", got.n == n && got.gap == gap);
+    expect_true("i and j are those given", "Eq. (8.9)", got.i == i.body && got.j == 5);
+  }
+  expect_at_least("pairs of edges that were looked at", "Eq. (8.9)", seen, 100, "most of 200");
+}
+
+/// Returns the same box, with its axes in another order, and the first and the last of them reversed if `side` is -1.
+Box renamed(const Box& box, int shift, double side) {
+  Box other = box;
+  for (int k = 0; k < 3; ++k) {
+    other.axes.col((k + shift) % 3) = (k == 1 ? 1 : side) * box.axes.col(k);
+    other.half_sides[(k + shift) % 3] = box.half_sides[k];
+  }
+  return other;
+}
+
+EXERCISE_TEST(EdgeContact, CrossesBeyondTheEndsOfTheEdges) {
+  // Two beams on their edges, one along x and one at an angle to it. Seen from above their edges cross far from both.
+  Random random;
+  const double c = std::sqrt(0.5);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Vec3 half_i = random.vector(0.3, 1), half_j = random.vector(0.3, 1);
+    const double angle = random.uniform(0.3, 2.8), gap = random.uniform(-0.1, 0.1);
+    const Vec3 along(std::cos(angle), std::sin(angle), 0), aside = Vec3::UnitZ().cross(along);
+    Mat3 axes_i, axes_j;
+    axes_i << Vec3::UnitX(), Vec3(0, c, c), Vec3(0, -c, c);
+    axes_j << along, c * (aside + Vec3::UnitZ()), c * (Vec3::UnitZ() - aside);
+    // The upper edge of i is beside its centre, and the lower edge of j beside that of j.
+    const Vec3 upper(0, c * (half_i[1] - half_i[2]), c * (half_i[1] + half_i[2]));
+    const Vec3 lower = c * (half_j[2] - half_j[1]) * aside - c * (half_j[1] + half_j[2]) * Vec3::UnitZ();
+    // From the middle of each edge, whose half length is 1 or less.
+    const double s = random.uniform(2, 5) * (random.integer(0, 1) ? 1 : -1),
+                 t = random.uniform(2, 5) * (random.integer(0, 1) ? 1 : -1);
+    const Vec3 p(s, upper.y(), upper.z() + gap / 2);  // from the centre of i
+    const Vec3 apart = p + gap / 2 * Vec3::UnitZ() - t * along - lower;
+    // All of it in any world.
+    const Mat3 world = random.rotation().toRotationMatrix();
+    const Vec3 x = random.vector();
+    const int shift_i = random.integer(0, 2), shift_j = random.integer(0, 2);
+    const Vec3 n = world.col(2);
+    const Box i =
+        renamed({.body = 6, .x = x, .axes = world * axes_i, .half_sides = half_i}, shift_i, trial % 2 ? 1 : -1);
+    const Box j = renamed({.body = 3, .x = x + world * apart, .axes = world * axes_j, .half_sides = half_j},
+                          shift_j, trial % 3 ? 1 : -1);
+    const Contact one = edge_contact(i, j, {.n = n, .gap = gap, .edge_i = shift_i, .edge_j = shift_j});
+    const Contact other = edge_contact(j, i, {.n = -n, .gap = gap, .edge_i = shift_j, .edge_j = shift_i});
+    const Tolerance close = roundings(500, 10);
+    const Vec3 r_i = world * p, r_j = world * (p - apart);
+    expect_near_vector("arm of i [m]", "Eq. (8.9)", one.r_i, r_i, close);
+    expect_near_vector("arm of j [m]", "Eq. (8.9)", one.r_j, r_j, close);
+    expect_near_vector("arm of i, for exchanged boxes [m]", "Eq. (8.9)", other.r_j, r_i, close);
+    expect_near_vector("arm of j, for exchanged boxes [m]", "Eq. (8.9)", other.r_i, r_j, close);
+    expect_true("bodies, n and gap, for exchanged boxes", "Eq. (8.9)",
+                one.i == 6 && one.j == 3 && one.n == n && one.gap == gap && other.i == 3 && other.j == 6 &&
+                    other.n == -n && other.gap == gap);
   }
 }
 
@@ -492,6 +560,12 @@ double outside(const Vec3& p, const Box& box) {
   return ((box.axes.transpose() * (p - box.x)).cwiseAbs() - box.half_sides).maxCoeff();
 }
 
+/// Tells whether a face of i or j has its normal within 8 degrees of n.
+bool is_nearly_flat(const Box& i, const Box& j, const Vec3& n) {
+  const double cosine_i = (i.axes.transpose() * n).cwiseAbs().maxCoeff();
+  return std::max(cosine_i, (j.axes.transpose() * n).cwiseAbs().maxCoeff()) >= 0.99;
+}
+
 EXERCISE_TEST(BoxBox, HasAPointOnEachBox) {
   Random random;
   int seen = 0;
@@ -504,12 +578,25 @@ EXERCISE_TEST(BoxBox, HasAPointOnEachBox) {
     expect_true("what was found before is kept", "Eq. (8.7)",
                 !found.empty() && found[0].i == 1 && found[0].j == 2 && found[0].n == Vec3::UnitX());
     const std::vector<Contact> contacts(found.begin() + 1, found.end());
-    expect_true("boxes that overlap have one to four contacts, others none", "Eq. (8.10)",
-                separating_axis(i, j).gap > 0 ? contacts.empty() : !contacts.empty() && contacts.size() <= 4);
+    const bool j_first = j.body < i.body;
+    const spook::SeparatingAxis axis = j_first ? separating_axis(j, i) : separating_axis(i, j);
+    const Vec3 axis_n = j_first ? -axis.n : axis.n;
+    const bool edges = axis.edge_i >= 0, flat = is_nearly_flat(i, j, axis_n);
+    expect_true("boxes that overlap have one to eight contacts, others none", "Eq. (8.8)",
+                axis.gap > 0 ? contacts.empty() : !contacts.empty() && contacts.size() <= 8);
+    if (axis.gap <= 0 && edges && !flat)
+      expect_true("edges have one contact, where no face is nearly flat", "Eq. (8.9)", contacts.size() == 1);
     for (const Contact& c : contacts) {
       expect_true("i and j are those given", "Eq. (8.7)", c.i == i.body && c.j == 5);
-      expect_at_least("n·(x_j - x_i): the normal is from i to j [m]", "Eq. (8.7)", c.n.dot(j.x - i.x), -1e-12,
-                      "it is that way round");
+      if (edges && contacts.size() > 1) {
+        // A nearly flat face has replaced the edges. Only their own axis is from centre to centre; this is near it.
+        expect_at_least("cosine of the angle between n and the axis of the edges", "Eq. (8.9)", c.n.dot(axis_n),
+                        0.99 - 1e-12, "it is that way round, and within 8 degrees");
+      } else {
+        expect_at_least("n·(x_j - x_i): the normal is from i to j [m]", "Eq. (8.7)", c.n.dot(j.x - i.x), -1e-12,
+                        "it is that way round");
+        expect_near_vector("n is the separating axis", "Eq. (8.7)", c.n, axis_n, roundings(16));
+      }
       expect_near_vector("one point has both arms [m]", "Eq. (8.3)", Vec3(i.x + c.r_i), Vec3(j.x + c.r_j),
                          roundings(200, 4));
       expect_at_most("gap [m]", "Eq. (8.8)", c.gap, 0, "only what touches is a contact");
@@ -561,49 +648,6 @@ EXERCISE_TEST(BoxBox, CutsOffWhatHangsOver) {
             contacts);
     expect_true("boxes that just touch have contacts, others none", "Eq. (8.8)",
                 contacts.size() == (apart > 0 ? 0 : 4));
-  }
-}
-
-EXERCISE_TEST(WellSpread, HasTheLargestAreaAroundTheMean) {
-  Random random;
-  for (int n = 0; n < 40; ++n) {
-    const Mat3 R = random.rotation().toRotationMatrix();
-    const Vec3 shift = random.vector(3);
-    std::vector<Contact> contacts;
-    for (int k = 0; k < 5 + n % 4; ++k) {
-      const double angle = random.uniform(0, 6.28), depth = random.uniform(0.01, 0.02) + 0.1 * (k == 2);
-      const Vec3 r = shift + R * Vec3(2 * std::cos(angle), std::sin(angle), 0);
-      contacts.push_back({.i = 0, .j = 1, .n = R.col(2), .gap = -depth, .r_i = r, .r_j = r});
-    }
-    Vec3 mean(0, 0, 0);
-    std::size_t deepest = 0;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      mean += contacts[k].r_i / static_cast<double>(contacts.size());
-      if (contacts[k].gap < contacts[deepest].gap) deepest = k;
-    }
-    const auto area_of = [&](std::vector<Vec3> corners) {  // -1 if the mean is outside
-      const auto angle = [&](const Vec3& p) {
-        return std::atan2(R.col(1).dot(p - mean), R.col(0).dot(p - mean));
-      };
-      std::sort(corners.begin(), corners.end(),
-                [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
-      for (std::size_t k = 0; k < 4; ++k)
-        if (R.col(2).dot((corners[k] - mean).cross(corners[(k + 1) % 4] - mean)) < 0) return -1.0;
-      return area(corners, R.col(2));
-    };
-    double largest = 0;
-    for (std::size_t a = 0; a < contacts.size(); ++a)
-      for (std::size_t b = a + 1; b < contacts.size(); ++b)
-        for (std::size_t c = b + 1; c < contacts.size(); ++c)
-          if (a != deepest && b != deepest && c != deepest)
-            largest = std::max(
-                largest, area_of({contacts[deepest].r_i, contacts[a].r_i, contacts[b].r_i, contacts[c].r_i}));
-    const std::vector<Contact> kept = well_spread(contacts);
-    expect_true("four are kept", "Eq. (8.10)", kept.size() == 4);
-    if (kept.size() != 4 || largest == 0) continue;
-    expect_near("area of those that are kept [m²]", "Eq. (8.10)",
-                area_of({kept[0].r_i, kept[1].r_i, kept[2].r_i, kept[3].r_i}), largest,
-                {1e-5, "a millionth of the extent squared, and round-off"});
   }
 }
 

@@ -89,7 +89,7 @@ def step_of_a_bounce(draw: Draw):
             "would not bounce")
 
 
-@asks(8, 1, "8.1 8.2 8.3 8.4 8.5 8.6 8.8")
+@asks(8, 1, "8.1 8.2 8.3 8.4 8.5 8.6 8.7 8.8")
 def nearest_of_a_box(draw: Draw):
     half, R = [1, 2, 3], draw.of(0.5, 1, 2)
     x = draw.of((4, 0.5, 1), (1.5, 2.2, 0), (2, 4, 3), (0.5, 1, 4.5))
@@ -115,13 +115,13 @@ def level_of_a_body(draw: Draw):
             f"longest side is {size} m?", f"{n * (n - 1) // 2}; {math.ceil(math.log2(size))}")
 
 
-@asks(8, 4, "8.5 8.7")
+@asks(8, 4, "8.5 8.8")
 def margin_of_a_face(draw: Draw):
-    g, more = draw.of(2, 4, 10), draw.of(2, 4, 6, 8)
+    g, more = draw.of(2, 4, 10), draw.of(4, 8, 20, 40)
     other = g * (1 - more / 100)
     return (f"Two boxes of 1 m overlap by {g} mm along a face of i, and by {other:.4g} mm along a face of j. The margin is "
-            "5 per cent of the gap and a millionth of the smallest half side. Which face is the axis, and what is the "
-            "margin for?", f"{'that of i' if g - other <= 0.05 * g + 0.0005 else 'that of j'}; round-off must not "
+            "5 per cent of the gap and a thousandth of the smallest half side. Which face is the axis, and what is the "
+            "margin for?", f"{'that of i' if g - other <= 0.05 * g + 0.5 else 'that of j'}; round-off and sag must not "
             "choose between descriptions of one contact")
 
 
