@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/collision/ghost_contacts.hpp"
 #include "engine/world/world.hpp"
 #include "random_input.hpp"
 
@@ -177,6 +178,38 @@ TEST(Gap, TakesABoxThatFitsBetweenItsWalls) {
   for (int step = 0; step < 180; ++step) world.step(1.0 / 60);
   EXPECT_NEAR(world.x(body).z(), half - 1, 1e-4);  // mg/k is 1e-5
   EXPECT_NEAR(world.x(body).x(), 0, 1e-9);
+}
+
+/// Tells whether the contacts with the second of two flush boxes are ghosts, for a cube that rests on the first one.
+/// `angle`: of their normal, from the vertical [rad].
+bool is_ghost_of_the_second(double angle, int contacts_on_it, bool moves) {
+  Shapes shapes;
+  std::vector<PlacedSolid> placed;
+  const auto add = [&](int body, const Vec3& x, double half_side, bool is_static) {
+    const Vec3 half_sides = Vec3::Constant(half_side);
+    shapes.add(body, Cuboid{half_sides}, is_static);
+    placed.emplace_back(Box{.body = body, .x = x, .axes = Mat3::Identity(), .half_sides = half_sides});
+  };
+  add(0, Vec3(0, 0, -0.5), 0.5, !moves);
+  add(1, Vec3(1, 0, -0.5), 0.5, !moves);
+  add(2, Vec3(0.4, 0, half), half, false);
+  const Vec3 n(-std::sin(angle), 0, std::cos(angle)), r = Vec3::Zero();
+  std::vector<Contact> contacts = {{.i = 0, .j = 2, .n = Vec3::UnitZ(), .gap = -1e-3, .r_i = r, .r_j = r}};
+  for (int k = 0; k < contacts_on_it; ++k)
+    contacts.push_back({.i = 1, .j = 2, .n = n, .gap = -1e-3, .r_i = r, .r_j = r});
+  const std::vector<bool> ghosts = ghost_contacts(shapes, placed, 0, 3, contacts);
+  return !ghosts.empty() && ghosts[1];
+}
+
+TEST(FlushBoxes, CarryABoxThatTheirFacesTouchWithALittleTilt) {
+  for (const double angle : {0.0, 1e-3, 2e-3, 0.019})
+    EXPECT_FALSE(is_ghost_of_the_second(angle, 4, true)) << angle;
+  for (const double angle : {0.021, 1.0, 1.57}) EXPECT_TRUE(is_ghost_of_the_second(angle, 4, true)) << angle;
+  // At an edge, or on a box that cannot tilt, the direction of the support is exact.
+  for (const double angle : {2e-3, 0.019}) {
+    EXPECT_TRUE(is_ghost_of_the_second(angle, 1, true)) << angle;
+    EXPECT_TRUE(is_ghost_of_the_second(angle, 4, false)) << angle;
+  }
 }
 
 TEST(FlushBoxes, CostNoMorePairs) {

@@ -8,6 +8,7 @@ namespace spook {
 namespace {
 
 constexpr double parallel = 1 - 1e-6;  // cosine of .0014 rad
+constexpr double carries = 0.9998;     // cosine of .02 rad: boxes tilt where they sag
 
 /// Returns the bodies with contacts in several directions; only these can have ghosts.
 std::vector<bool> touched_from_several_sides(const std::vector<Contact>& contacts, std::size_t bodies,
@@ -80,12 +81,14 @@ class Surfaces {
   std::vector<int> solid_of_;
 };
 
-/// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n.
-bool is_ghost(int body, int other, const Vec3& n, const std::vector<Support>& supports,
+/// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n. `on_face`: by
+/// several contacts.
+bool is_ghost(int body, int other, const Vec3& n, bool on_face, const std::vector<Support>& supports,
               const Surfaces& surfaces) {
   if (!surfaces.box(other)) return false;
+  const double along = on_face && surfaces.moves(other) ? carries : parallel;
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-    if (support.other == other || n.dot(support.m) >= parallel) return false;
+    if (support.other == other || n.dot(support.m) >= along) return false;
     const double size = std::min(surfaces.size(body), surfaces.size(other)), most = size / 25;
     const double depth = std::max(0.0, -support.gap), face = surfaces.face_along(support.m, other);
     return depth <= surfaces.size(body) / 4 && face > -infinity &&
@@ -127,8 +130,9 @@ std::vector<bool> ghost_contacts(const Shapes& shapes, const std::vector<PlacedS
     }
     const int i = contacts[c].i, j = contacts[c].j;
     const Vec3& n = contacts[c].n;
-    ghosts[c] = is_ghost(j, i, n, supports[static_cast<std::size_t>(j)], surfaces) ||
-                is_ghost(i, j, -n, supports[static_cast<std::size_t>(i)], surfaces);
+    const bool on_face = c + 1 < contacts.size() && contacts[c + 1].i == i && contacts[c + 1].j == j;
+    ghosts[c] = is_ghost(j, i, n, on_face, supports[static_cast<std::size_t>(j)], surfaces) ||
+                is_ghost(i, j, -n, on_face, supports[static_cast<std::size_t>(i)], surfaces);
     any = any || ghosts[c];
   }
   if (!any) ghosts.clear();
