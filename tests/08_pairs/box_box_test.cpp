@@ -522,8 +522,11 @@ EXERCISE_TEST(BoxBox, TakesANearlyFlatFaceOfEitherBox) {
     const Box i = random_box(random, 0);
     Box j = random_box(random, 1, 2);
     for (int k = 0; k < 3; ++k) j.axes.col(k) = i.axes.col((k + 1) % 3);
-    j = turned(turned(j, random.uniform(0, 6), i.axes.col(random.integer(0, 2))), random.uniform(0, 0.26),
-               random.unit_vector());
+    const double around = random.uniform(0, 6);
+    const int upright = random.integer(0, 2);
+    const double tilt = random.uniform(0, 0.26);
+    const Vec3 tilted_about = random.unit_vector();
+    j = turned(turned(j, around, i.axes.col(upright)), tilt, tilted_about);
     const Vec3 line = (j.x - i.x).normalized();
     double deep = 0, apart = 5;
     for (int halving = 0; halving < 40; ++halving) {

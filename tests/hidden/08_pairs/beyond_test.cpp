@@ -379,8 +379,10 @@ EXERCISE_TEST(EdgeContact, CrossesBeyondTheEndsOfTheEdges) {
     const Vec3 upper(0, c * (half_i[1] - half_i[2]), c * (half_i[1] + half_i[2]));
     const Vec3 lower = c * (half_j[2] - half_j[1]) * aside - c * (half_j[1] + half_j[2]) * Vec3::UnitZ();
     // From the middle of each edge, whose half length is 1 or less.
-    const double s = random.uniform(2, 5) * (random.integer(0, 1) ? 1 : -1),
-                 t = random.uniform(2, 5) * (random.integer(0, 1) ? 1 : -1);
+    double s = random.uniform(2, 5);
+    if (random.integer(0, 1)) s = -s;
+    double t = random.uniform(2, 5);
+    if (random.integer(0, 1)) t = -t;
     const Vec3 p(s, upper.y(), upper.z() + gap / 2);  // from the centre of i
     const Vec3 apart = p + gap / 2 * Vec3::UnitZ() - t * along - lower;
     // All of it in any world.
