@@ -2,19 +2,12 @@
 #include <cmath>
 #include <optional>
 
+#include "08_pairs/farthest_corner.hpp"
 #include "08_pairs/pairs.hpp"
 
 namespace spook {
 
 namespace {
-
-/// Returns the corner of a box with the largest n·(p - x), as p - x. Of corners that are equal up to round-off, returns
-/// the one that plane_box has first. So the contacts of a resting box are in the same order in every step.
-Vec3 deepest_corner(const Box& box, const Vec3& n) {
-  Vec3 corner = box.half_sides;
-  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)) - 1e-12);
-  return box.axes * corner;
-}
 
 /// Returns the corners of the face whose normal is closest to n, in order around the face, from the centre of the box.
 std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
@@ -22,7 +15,7 @@ std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   (box.axes.transpose() * n).cwiseAbs().maxCoeff(&axis);
   std::vector<Vec3> corners;
   corners.reserve(4);
-  corners.push_back(deepest_corner(box, n));
+  corners.push_back(farthest_corner(box, n));
   // Each corner is the one before, mirrored along one of the other two axes.
   for (const int along : {1, 2, 1}) {
     const Vec3 e = box.axes.col((axis + along) % 3);
@@ -58,7 +51,8 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   std::vector<Vec3> face_of_other = face_towards(other, -n);
   for (Vec3& corner : face_of_other) corner += apart;
   std::vector<Vec3> corners = face_of_other;
-  const double slack = 1e-6 * box.half_sides.cwiseMin(other.half_sides).minCoeff();
+  const double smallest = box.half_sides.cwiseMin(other.half_sides).minCoeff();
+  const double slack = 1e-6 * smallest;
   for (int k = 0; k < 3; ++k)
     if (k != face)
       for (const double side : {-1.0, 1.0})
@@ -76,7 +70,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   // Beside the face: its lowest corner, or two at the ends of a level edge.
   if (contacts.empty())
     for (const Vec3& corner : face_of_other) add(corner);
-  leave_out_flat_corners(0.02 * box.half_sides.cwiseMin(other.half_sides).minCoeff(), contacts);
+  leave_out_flat_corners(0.02 * smallest, contacts);
   return contacts;
 }
 

@@ -1,15 +1,7 @@
-#include <cmath>
-
+#include "08_pairs/farthest_corner.hpp"
 #include "08_pairs/pairs.hpp"
 
 namespace spook {
-
-/// Returns the corner of a box with the largest n·(p - x), as p - x.
-static Vec3 farthest_corner(const Box& box, const Vec3& n) {
-  Vec3 corner = box.half_sides;
-  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)));
-  return box.axes * corner;
-}
 
 Contact edge_contact(const Box& i, const Box& j, const SeparatingAxis& axis) {
   const Vec3 a = i.axes.col(axis.edge_i), b = j.axes.col(axis.edge_j), apart = j.x - i.x;

@@ -98,7 +98,7 @@ def load_within() -> Drawing:
             d.dot(f(*p), colour if k in kept else "soft", 6 if k in kept else 5)
         at = f(*load)
         d.dot(at, "ink", 6)
-        d.text((at[0], at[1] + 44), "load", "ink")
+        d.text((at[0] + 4, at[1] - 26), "load", "ink")
         d.text((middle, 304), title, "soft", size="small")
     return d
 
