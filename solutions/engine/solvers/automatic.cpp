@@ -9,15 +9,20 @@
 //               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
 //               at once without cones; on cones they get factors unless one sweep converges, as it does at rest
 //
+// Bodies at rest on cones are marked as hard also if the sweeps converge, but cost more than a factorisation. After
+// factors the residual is small, so that the next steps look with one sweep.
+//
 // Costs are bounds, and those of wide structures are far too high. So where a structure at rest seems too dear, its cost
 // is counted, and may be 5 times that of the allowed sweeps. It gets no more factors for a hundred steps if they fail.
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
-// largest |B| of a normal row. Sweeps, up to twice the allowed number, and factors end at 3e-3 of it. A sweep may change
-// contacts by less than the residual that it leaves. Then the sweeps go on to half of this share.
+// largest |B| of a normal row. Sweeps and factors end at 3e-3 of it. There are twice as many sweeps as a factorisation
+// costs, but at least half and at most twice the allowed number. A sweep may change contacts by less than the residual
+// that it leaves. Then the sweeps go on to half of this share.
 //
-// Factors may fail. The more one factorisation costs, the fewer are made: 30 to 300.
+// Factors on cones begin with Newton's method where less than 1e-6 is asked for. They may fail. The more one
+// factorisation costs, the fewer are made: 30 to 300.
 //
 // A given accuracy replaces all of these shares by one.
 //
@@ -172,6 +177,7 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
+  static constexpr int few_sweeps = 5;                   // are cheaper than to count the cost of factors
   static constexpr double worth_of_a_solution = 100;     // in allowed sweeps, by the bound of the cost
   static constexpr double counted_worth = 5;             // in allowed sweeps, by the counted cost
   static constexpr double worth_of_all_attempts = 2400;  // in allowed sweeps, of all factors of a solve
@@ -243,14 +249,32 @@ class Automatic {
       start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), sweeps, island);
     }
-    const int most = hard ? 1 : moves ? 2 * s.stop.max_sweeps : s.stop.max_sweeps;
+    const int most = hard ? 1 : most_sweeps(island, s.stop, part, has_factors);
     SolverResult swept = this->swept(part, {.max_sweeps = most, .tolerance = s.stop.tolerance});
     swept.row_updates = swept.updates(part.rows.size());
+    const int made = static_cast<int>(swept.report.history.size());
+    if (has_factors && !moves && !part.friction.empty() && made > few_sweeps && made > counted(island, part))
+      mark(hard_, island, s.rows());
     if (!has_factors || is_enough(swept.report, part, hard) || !is_worth(island, s, part)) return swept;
     if (!moves) mark(hard_, island, s.rows());
     const SolverResult solved = factorised(part, enough(part, s.stop), sweeps, island);
     if (!solved.report.converged && !is_cheap(island, s)) mark(unsolved_, island, s.rows());
     return append(std::move(swept), solved, part.rows.size());
+  }
+
+  /// Returns the largest number of sweeps before factors.
+  static int most_sweeps(Island<Dof>& island, const StopRule& stop, const IslandView& part, bool has_factors) {
+    if (part.approach == 0) return stop.max_sweeps;
+    const double allowed = stop.max_sweeps;
+    const double most =
+        has_factors ? std::clamp(2 * counted(island, part), allowed / 2, 2 * allowed) : 2 * allowed;
+    return static_cast<int>(most);
+  }
+
+  /// Returns the counted cost of a factorisation on cones, in sweeps.
+  static double counted(Island<Dof>& island, const IslandView& part) {
+    if (!island.counted) island.counted = counted_velocity_factor_cost(part.rows);
+    return *island.counted;
   }
 
   /// Tells whether factors are worth their cost by its bound.
@@ -262,8 +286,7 @@ class Automatic {
   bool is_worth(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) const {
     if (is_cheap(island, s)) return true;
     if (part.friction.empty() || part.approach > 0 || any_marked(unsolved_, island, s.rows())) return false;
-    if (!island.counted) island.counted = counted_velocity_factor_cost(part.rows);
-    return *island.counted <= counted_worth * s.stop.max_sweeps;
+    return counted(island, part) <= counted_worth * s.stop.max_sweeps;
   }
 
   double enough(const IslandView& part, const StopRule& stop) const {
@@ -304,9 +327,13 @@ class Automatic {
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);
     const double worth = worth_of_all_attempts * allowed / *island.cost;
-    return solve_on_cones(problem, enough,
-                          {.most = static_cast<int>(std::clamp(worth, 30.0, 300.0)),
-                           .suffices = part.approach > 0 ? 0 : shares_.left});
+    return solve_on_cones(
+        problem, enough,
+        {.newton_first =
+             enough<shares_.enough * rhs_norm(part.rows),
+                    .most = static_cast<int>(std::clamp(worth, 30.0, 300.0)), .suffices = part.approach> 0
+                 ? 0
+                 : shares_.left});
   }
 
   static void mark(std::vector<bool>& bodies, const Island<Dof>& island, const std::vector<Row<Dof>>& rows) {

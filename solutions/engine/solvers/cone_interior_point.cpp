@@ -25,14 +25,18 @@ struct Target {
 template <int Dof>
 class InteriorPoint {
  public:
-  InteriorPoint(ConeProblem<Dof>& problem, double share) : problem_(problem) {
-    for (const ContactBlock& block : problem.blocks()) theta_.push_back(std::min(1.0, share / block.mu));
+  InteriorPoint(ConeProblem<Dof>& problem, const InteriorAttempt& attempt) : problem_(problem) {
+    for (const ContactBlock& block : problem.blocks())
+      theta_.push_back(std::min(1.0, attempt.share / block.mu));
     lagged_ = std::any_of(theta_.begin(), theta_.end(), [](double theta) { return theta < 1; });
-    start();
+    if (attempt.width > 0)
+      start_near(attempt.width);
+    else
+      start_inside();
   }
 
   bool solve(double tolerance, double enough, int most, std::vector<double>& history) {
-    double least = infinity, next_try = 1e-3;
+    double least = infinity, next_try = first_try_, last_swept = infinity;
     std::vector<double> best = problem_.impulses();
     for (int n = 0, short_steps = 0, waited = 0; n < most && short_steps < most_short_steps; ++n) {
       const double part = step(std::isfinite(least) ? least / problem_.rhs_norm() : 1);
@@ -48,7 +52,17 @@ class InteriorPoint {
         least = left;
         best = problem_.impulses();
       }
-      if (least <= next_try * problem_.rhs_norm()) {
+      if (least > enough && left <= std::min(reach_of_sweeps * enough, last_swept / 2)) {
+        last_swept = left;
+        problem_.accelerated_sweeps(sweeps, enough / 3);
+        const double swept = problem_.residual();
+        if (swept < least) {
+          least = history.back() = swept;
+          best = problem_.impulses();
+        }
+        problem_.set_impulses(best);
+      }
+      if (least <= std::max(enough, next_try * problem_.rhs_norm())) {
         if (problem_.is_solved(least, tolerance) || cone_newton(problem_, tolerance, newton_steps, history))
           return true;
         while (least <= next_try * problem_.rhs_norm()) next_try *= 1e-3;
@@ -66,8 +80,8 @@ class InteriorPoint {
   }
 
  private:
-  static constexpr int most_short_steps = 3, most_waits = 3, newton_steps = 2;
-  static constexpr double short_step = 0.1, least_pace = 0.6;
+  static constexpr int most_short_steps = 3, most_waits = 3, newton_steps = 2, sweeps = 15;
+  static constexpr double short_step = 0.1, least_pace = 0.6, reach_of_sweeps = 8;
 
   const Row<Dof>& normal(const ContactBlock& block) const { return problem_.row(block.row); }
   bool rubs(const ContactBlock& block) const { return block.count == 3 && block.mu > 0 && is_open(block); }
@@ -99,8 +113,53 @@ class InteriorPoint {
     return normal(block(b)).diagonal / (problem_.rhs_norm() * problem_.rhs_norm());
   }
 
+  /// Returns the x > 0 with x (x - y) = w². So x - y is that of -y.
+  static double positive(double y, double w) {
+    const double root = std::hypot(y, 2 * w);
+    return y > 0 ? (root + y) / 2 : 2 * w * w / (root - y);
+  }
+
+  /// Starts from the current λ.
+  void start_near(double w) {
+    first_try_ *= std::min(1.0, problem_.residual() / problem_.rhs_norm());
+    std::vector<double> lambda = problem_.impulses();
+    push_.resize(size());
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ContactBlock& of = block(b);
+      const Row<Dof>& row = normal(of);
+      const double S = row.diagonal, r = problem_.row_residual(of.row), before = row.lambda;
+      double& now = lambda[of.row];
+      const double above = before - row.lo, below = row.hi - before;
+      if (has_lo(of) && !(below < above)) {
+        const double y = S * above + std::min(r, 0.0);
+        now = std::min(row.lo + positive(y, w) / S, (row.lo + row.hi) / 2);
+        push_[b] = {.lo = positive(-y, w), .hi = has_hi(of) ? w * w / S / (row.hi - now) : 0};
+      } else if (has_hi(of)) {
+        const double y = S * below - std::max(r, 0.0);
+        now = std::max(row.hi - positive(y, w) / S, (row.lo + row.hi) / 2);
+        push_[b] = {.lo = has_lo(of) ? w * w / S / (now - row.lo) : 0, .hi = positive(-y, w)};
+      }
+      last_.push_back(now);
+      if (of.count < 3) continue;
+      Vec2 along = problem_.friction(of);
+      if (rubs(of)) {
+        const Vec2 lacks(problem_.row_residual(of.row + 1), problem_.row_residual(of.row + 2));
+        const double L = of.mu * now, slack = of.mu * before - along.norm();
+        const bool slides = slack < 0.01 * of.mu * before;
+        const double y = of.s * slack - (slides ? lacks.norm() : 0),
+                     most = std::max(0.0, L - positive(y, w) / of.s);
+        if (along.norm() > most) along *= most / along.norm();
+        push_[b].slip = of.mu * w * w / S / ((L - along.norm()) * (L + along.norm()) / L);
+      } else {
+        along.setZero();
+      }
+      lambda[of.row + 1] = along[0], lambda[of.row + 2] = along[1];
+    }
+    problem_.set_impulses(lambda);
+  }
+
   /// Starts well inside the bounds, with multipliers as large as the right-hand side.
-  void start() {
+  void start_inside() {
     std::vector<double> lambda = problem_.impulses();
     for (std::size_t b = 0; b < size(); ++b) {
       const Row<Dof>& row = normal(block(b));
@@ -302,7 +361,7 @@ class InteriorPoint {
   std::vector<double> theta_;  // θ of each block
   std::vector<double> last_;   // λ̄_n of each block [N s]
   bool lagged_;
-  double pace_ = 1;
+  double pace_ = 1, first_try_ = 1e-3;
   std::vector<Push> push_, change_;
   std::vector<double> step_;  // Δλ of each row
 };
@@ -310,12 +369,14 @@ class InteriorPoint {
 }  // namespace
 
 template <int Dof>
-bool cone_interior_point(ConeProblem<Dof>& problem, double tolerance, double enough, const LimitRule& rule,
-                         std::vector<double>& history) {
-  return InteriorPoint<Dof>(problem, rule.share).solve(tolerance, enough, rule.factorisations, history);
+bool cone_interior_point(ConeProblem<Dof>& problem, double tolerance, double enough,
+                         const InteriorAttempt& attempt, std::vector<double>& history) {
+  return InteriorPoint<Dof>(problem, attempt).solve(tolerance, enough, attempt.factorisations, history);
 }
 
-template bool cone_interior_point<3>(ConeProblem<3>&, double, double, const LimitRule&, std::vector<double>&);
-template bool cone_interior_point<6>(ConeProblem<6>&, double, double, const LimitRule&, std::vector<double>&);
+template bool cone_interior_point<3>(ConeProblem<3>&, double, double, const InteriorAttempt&,
+                                     std::vector<double>&);
+template bool cone_interior_point<6>(ConeProblem<6>&, double, double, const InteriorAttempt&,
+                                     std::vector<double>&);
 
 }  // namespace spook

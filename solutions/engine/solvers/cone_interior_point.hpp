@@ -8,6 +8,10 @@
 //   step         Newton's: a predictor to τ = 0, then a corrector to the τ that the predictor could reach: Eq. (11.10),
 //                (11.11)
 //   τ            from the target residual squared, over S_nn of each contact, so that masses may differ
+//   start        inside: λ_n S_nn and the multiplier at least |B|, no friction. Near: from the current λ, where
+//                λ_n S_nn and the multiplier keep their difference, and get the product w². So do s R and the slip
+//   end          where nothing presses, λ_n S_nn and the multiplier are both about √τ, and so is the residual. Sweeps
+//                solve these contacts, on which nothing rests: 15, as soon as the residual is 8 times what is enough
 //
 // With θ = 1 the limit follows the normal impulse within each Newton step. This problem has no energy that a solution
 // minimises, so at high friction steps may become too short. With θ = θ_μ/μ, θ_μ < 1, the other part of the limit is
@@ -20,18 +24,19 @@
 
 namespace spook {
 
-/// The update rule of the friction limit: θ is min(1, share/μ).
-struct LimitRule {
-  double share;        ///< infinite: θ = 1
-  int factorisations;  ///< largest number of factorisations
+/// One attempt of the method.
+struct InteriorAttempt {
+  double share = infinity;  ///< θ is min(1, share/μ)
+  double width = 0;         ///< w of a start near the current λ; 0: starts inside [m/s]
+  int factorisations;       ///< largest number of factorisations
 };
 
-/// Starts well inside all bounds, from the current normal impulses, and ends with the λ of the least residual found.
-/// Whenever the residual has fallen to 1e-3, 1e-6 and 1e-9 of the right-hand side, tries Newton's method for the
-/// `tolerance` [m/s]. Appends the residual after each factorisation to the history; the last entry belongs to the final
-/// λ. Returns whether that residual is at most `enough` [m/s].
+/// Ends with the λ of the least residual found. Whenever the residual has fallen to 1e-3, 1e-6 and 1e-9 of the
+/// right-hand side, or of the residual where it starts near λ, tries Newton's method for the `tolerance` [m/s]. Appends
+/// the residual after each factorisation to the history; the last entry belongs to the final λ. Returns whether that
+/// residual is at most `enough` [m/s].
 template <int Dof>
-bool cone_interior_point(ConeProblem<Dof>& problem, double tolerance, double enough, const LimitRule& rule,
-                         std::vector<double>& history);
+bool cone_interior_point(ConeProblem<Dof>& problem, double tolerance, double enough,
+                         const InteriorAttempt& attempt, std::vector<double>& history);
 
 }  // namespace spook

@@ -4,6 +4,17 @@
 
 namespace spook {
 
+/// Returns the λ̂_n S_nn below which a contact is light; 0 while it is not known which are [m/s].
+template <int Dof>
+static double most_of_light(const ConeProblem<Dof>& problem, double residual) {
+  constexpr double near = 1e-3, share_of_light = 1e-2;
+  return residual < near * problem.rhs_norm() ? share_of_light * problem.rhs_norm() : 0;
+}
+
+static bool is_light(double aim, double diagonal, double most) {
+  return aim > 0 && aim * diagonal < most;
+}
+
 /// Sets K and k of a row with the residual `r` [m/s]; returns the updated λ without bounds [N s]. `softer`: addition to
 /// Σ, in units of S_kk.
 template <int Dof>
@@ -26,7 +37,7 @@ template <int Dof>
 static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, double light, ContactBlock& block) {
   const double aim = linearise_row(*rows, r[0], softer, block), limit = block.mu * aim;
   if (block.count == 1) return;
-  if (aim > 0 && aim * rows[0].diagonal < light) {
+  if (is_light(aim, rows[0].diagonal, light)) {
     block.K.setZero();
     block.k.setZero();
     return;
@@ -63,14 +74,15 @@ static bool newton_step(ConeProblem<Dof>& problem, double softer, double light, 
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history) {
   constexpr int sweeps = 5, most_in_vain = 5;
-  constexpr double accurate = 1e-8, near = 1e-3, share_of_light = 1e-2, least_softer = 1e-5, most_softer = 1e-2;
+  constexpr double accurate = 1e-8, least_softer = 1e-5, most_softer = 1e-2;
   double least = problem.residual(), softer = 0;
   std::vector<double> step, best = problem.impulses();
   const auto may_fail = [&] { return least <= accurate * problem.rhs_norm() ? 1 : most_in_vain; };
   for (int n = 0, in_vain = 0; n < most && in_vain < may_fail(); ++n) {
     const double share = least / problem.rhs_norm();
-    const double light = share < near ? share_of_light * problem.rhs_norm() : 0;
-    if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, share)), light, step)) break;
+    if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, share)), most_of_light(problem, least),
+                     step))
+      break;
     std::vector<double> there = best;
     for (std::size_t k = 0; k < there.size(); ++k) there[k] += step[k];
     problem.project(there);
@@ -97,7 +109,21 @@ bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vec
   return false;
 }
 
+template <int Dof>
+double share_of_light(const ConeProblem<Dof>& problem) {
+  const double most = most_of_light(problem, problem.residual());
+  const auto light = [&](const ContactBlock& block) {
+    const Row<Dof>& row = problem.row(block.row);
+    return block.count == 3 &&
+           is_light(row.lambda + problem.row_residual(block.row) / row.diagonal, row.diagonal, most);
+  };
+  const auto count = std::count_if(problem.blocks().begin(), problem.blocks().end(), light);
+  return static_cast<double>(count) / static_cast<double>(problem.blocks().size());
+}
+
 template bool cone_newton<3>(ConeProblem<3>&, double, int, std::vector<double>&);
 template bool cone_newton<6>(ConeProblem<6>&, double, int, std::vector<double>&);
+template double share_of_light<3>(const ConeProblem<3>&);
+template double share_of_light<6>(const ConeProblem<6>&);
 
 }  // namespace spook

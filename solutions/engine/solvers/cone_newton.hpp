@@ -37,4 +37,8 @@ namespace spook {
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history);
 
+/// Returns the share of light contacts; 0 while it is not known which are.
+template <int Dof>
+double share_of_light(const ConeProblem<Dof>& problem);
+
 }  // namespace spook

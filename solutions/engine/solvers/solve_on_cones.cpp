@@ -24,17 +24,18 @@ class Attempts {
   SolveReport solve() {
     problem_.sweep(1);
     start_ = best_ = problem_.impulses();
-    const double first = problem_.residual();
-    const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || is_accurate() ||
-                        from_within(infinity) || accelerated() || from_within(0.3) || from_within(0.1) ||
-                        from_within(0.03) || by_sweeps_and_newton();
+    const double first = least_ = problem_.residual();
+    const bool newton_first = effort_.newton_first || share_of_light(problem_) > 0.1;
+    const bool solved = problem_.is_solved(first, tolerance_) || (newton_first && by_newton()) || from_near() ||
+                        (!newton_first && by_newton()) || from_within(infinity) || accelerated() ||
+                        from_within(0.3) || from_within(0.1) || from_within(0.03) || by_sweeps_and_newton();
     if (report_.history.empty()) report_.history.push_back(first);
     report_.converged = solved;
     return std::move(report_);
   }
 
  private:
-  static constexpr int most_of_newton = 12, most_within = 60;
+  static constexpr int most_of_newton = 12, most_near = 20, most_within = 60;
 
   int remaining() const { return effort_.most - static_cast<int>(report_.history.size()); }
   double part(double share) const { return std::max(tolerance_, share * problem_.rhs_norm()); }
@@ -43,20 +44,40 @@ class Attempts {
     return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
   }
 
-  /// Accepts the best λ of Newton's method, the initial λ included, if its residual is small enough. Remembers it.
-  bool is_accurate() {
+  /// Newton's method from the best λ so far, which is accepted in the end if its residual is small enough.
+  bool by_newton() {
+    problem_.set_impulses(best_);
+    if (newton(most_of_newton)) return true;
     keep(problem_.residual());
-    return least_ <= part(share_within);
+    return is_accurate();
+  }
+  bool is_accurate() const { return least_ <= part(share_within); }
+
+  /// Attempts of the interior point from the best λ so far.
+  bool from_near() {
+    constexpr double coarse = 1e-3, widest = 0.1;
+    const double B = problem_.rhs_norm();
+    if (least_ > coarse * B) return attempt_near(widest * B, most_within);
+    for (const double residuals : {3, 30, 300})
+      if (attempt_near(std::min(residuals * least_, widest * B), most_near)) return true;
+    return false;
+  }
+  bool attempt_near(double width, int factorisations) {
+    return interior_point(best_, {.width = width, .factorisations = factorisations}) || is_accurate();
   }
 
-  /// One attempt of the interior point. `share` of the limits is current, the rest lagged.
+  /// One attempt from well inside. `share` of the limits is current, the rest lagged.
   bool from_within(double share) {
-    const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
-    if (rule.factorisations <= 0) return false;
-    problem_.set_impulses(start_);
-    tried_within_ = true;
-    const double enough = part(share == infinity ? share_within : share_lagged);
-    if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
+    tried_within_ = tried_within_ || remaining() > 0;
+    return interior_point(start_, {.share = share, .factorisations = most_within});
+  }
+
+  bool interior_point(const std::vector<double>& start, InteriorAttempt attempt) {
+    attempt.factorisations = std::min(attempt.factorisations, remaining());
+    if (attempt.factorisations <= 0) return false;
+    problem_.set_impulses(start);
+    const double enough = part(attempt.share == infinity ? share_within : share_lagged);
+    if (cone_interior_point(problem_, tolerance_, enough, attempt, report_.history)) return true;
     // The history is empty if the first factorisation of all failed.
     if (!report_.history.empty()) keep(report_.history.back());
     return end_with_best();
@@ -108,7 +129,7 @@ class Attempts {
   double tolerance_;  // [m/s]
   ConeEffort effort_;
   std::vector<double> start_, best_;
-  double least_ = infinity;    // the residual of the best λ after Newton's method [m/s]
+  double least_ = infinity;    // the residual of the best λ [m/s]
   bool tried_within_ = false;  // if false, the residual shows only that too few factorisations were allowed
   SolveReport report_;
 };
