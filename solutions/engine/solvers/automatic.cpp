@@ -327,13 +327,11 @@ class Automatic {
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);
     const double worth = worth_of_all_attempts * allowed / *island.cost;
-    return solve_on_cones(
-        problem, enough,
-        {.newton_first =
-             enough<shares_.enough * rhs_norm(part.rows),
-                    .most = static_cast<int>(std::clamp(worth, 30.0, 300.0)), .suffices = part.approach> 0
-                 ? 0
-                 : shares_.left});
+    const bool exactly = enough < shares_.enough * rhs_norm(part.rows);
+    return solve_on_cones(problem, enough,
+                          {.newton_first = exactly,
+                           .most = static_cast<int>(std::clamp(worth, 30.0, 300.0)),
+                           .suffices = part.approach > 0 ? 0 : shares_.left});
   }
 
   static void mark(std::vector<bool>& bodies, const Island<Dof>& island, const std::vector<Row<Dof>>& rows) {

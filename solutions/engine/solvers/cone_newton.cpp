@@ -7,7 +7,7 @@ namespace spook {
 /// Returns the λ̂_n S_nn below which a contact is light; 0 while it is not known which are [m/s].
 template <int Dof>
 static double most_of_light(const ConeProblem<Dof>& problem, double residual) {
-  constexpr double near = 1e-3, share_of_light = 1e-2;
+  constexpr double near = 1e-3, share_of_light = 0.1;
   return residual < near * problem.rhs_norm() ? share_of_light * problem.rhs_norm() : 0;
 }
 
