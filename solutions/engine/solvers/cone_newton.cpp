@@ -1,6 +1,7 @@
 #include "engine/solvers/cone_newton.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spook {
 
@@ -8,7 +9,11 @@ namespace spook {
 template <int Dof>
 static double most_of_light(const ConeProblem<Dof>& problem, double residual) {
   constexpr double near = 1e-3, share_of_light = 0.1;
-  return residual < near * problem.rhs_norm() ? share_of_light * problem.rhs_norm() : 0;
+  if (residual >= near * problem.rhs_norm()) return 0;
+  double largest = 0;
+  for (const ContactBlock& block : problem.blocks())
+    if (block.count == 3) largest = std::max(largest, std::abs(problem.row(block.row).B));
+  return share_of_light * largest;
 }
 
 static bool is_light(double aim, double diagonal, double most) {

@@ -16,7 +16,7 @@
 // of S_kk that goes to 0 with the residual, which keeps convergence superlinear. After a step that increases the
 // residual, λ returns to the best so far, and the fraction is ten times larger.
 //
-//   light       0 < λ̂_n S_nn < 0.1 of the largest |B|:   Δλ = 0, as soon as the residual is below 1e-3 of it
+//   light       0 < λ̂_n S_nn < 0.1 of the largest |B_n|:   Δλ = 0, as soon as the residual is below 1e-3 of |B|
 //
 // A light contact is next to the tip of its cone, where a linear step says little: hundreds of them, such as the faces
 // of cubes that stand side by side, would change their kind with every step. Sweeps after the step solve them: nothing
