@@ -119,7 +119,7 @@ class InteriorPoint {
     return y > 0 ? (root + y) / 2 : 2 * w * w / (root - y);
   }
 
-  /// Starts from the current λ.
+  /// Starts near the current λ, with products of w² [m²/s²].
   void start_near(double w) {
     first_try_ *= std::min(1.0, problem_.residual() / problem_.rhs_norm());
     std::vector<double> lambda = problem_.impulses();

@@ -9,7 +9,8 @@
 //                (11.11)
 //   τ            from the target residual squared, over S_nn of each contact, so that masses may differ
 //   start        inside: λ_n S_nn and the multiplier at least |B|, no friction. Near: from the current λ, where
-//                λ_n S_nn and the multiplier keep their difference, and get the product w². So do s R and the slip
+//                λ_n S_nn and the multiplier keep their difference, and get the product w²; for friction,
+//                s (L - |λ_t|) and the slip speed do
 //   end          where nothing presses, λ_n S_nn and the multiplier are both about √τ, and so is the residual. Sweeps
 //                solve these contacts, on which nothing rests: 15, as soon as the residual is 8 times what is enough
 //
