@@ -16,6 +16,7 @@
 //   others      Dof² for each block of the matrix to which a row contributes; solves, residuals, sweeps
 #include <cmath>
 
+#include "engine/solvers/factor_cost.hpp"
 #include "engine/solvers/islands.hpp"
 #include "machinery/experiment.hpp"
 #include "methods/methods.hpp"

@@ -1,5 +1,6 @@
 // Islands, their width, and the solver for each.
 #include "engine/solvers/islands.hpp"
+#include "engine/solvers/factor_cost.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "12_stiff_wires/stiff_wires.hpp"
-#include "engine/solvers/islands.hpp"
+#include "engine/solvers/factor_cost.hpp"
 #include "engine/solvers/small_direct.hpp"
 #include "engine/world/world.hpp"
 #include "raw_system.hpp"

@@ -38,9 +38,9 @@ Solver<Dof> newton(FrictionModel model = FrictionModel::cone);
 template <int Dof>
 Solver<Dof> direct();
 
-/// Selects factors or sweeps for each island of bodies: engine/solvers/islands.hpp. The model is box or cone. `accuracy`
-/// is the residual at which a solve ends, as a share of the right-hand side, in (0, 1); below 1e-6 not every step reaches
-/// it. Default: 1e-6, and 3e-3 of the largest approach for contacts of moving bodies.
+/// Selects factors or sweeps for each island of bodies: engine/solvers/automatic.cpp. The model is box or cone.
+/// `accuracy` is the residual at which a solve ends, as a share of the right-hand side, in (0, 1); below 1e-6 not every
+/// step reaches it. Default: 1e-6, and 3e-3 of the largest approach for contacts of moving bodies.
 template <int Dof>
 Solver<Dof> automatic(FrictionModel model = FrictionModel::cone, std::optional<double> accuracy = {});
 

@@ -6,7 +6,7 @@
 
 #include "common/require.hpp"
 #include "engine/linear/schur_entry.hpp"
-#include "engine/solvers/islands.hpp"
+#include "engine/solvers/factor_cost.hpp"
 #include "engine/solvers/solver_result.hpp"
 
 namespace spook {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/solvers/islands.hpp"
+#include "engine/solvers/factor_cost.hpp"
 
 namespace spook {
 
