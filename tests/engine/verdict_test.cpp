@@ -228,6 +228,34 @@ TEST(Verdict, RedundantRowsThatShareAnImpulseWronglyAreSound) {
   EXPECT_NE(judged(chain, h, 0.1).state, State::sound);
 }
 
+TEST(Verdict, AStepWithAPartThatIsNotSolvedIsUnsolved) {
+  int until_failure = 0;
+  const Solver<6> inner = direct<6>();
+  const Solver<6> fails_once{.solve = [&](const SolverInput<6>& s) {
+    SolverResult result = inner.solve(s);
+    if (--until_failure == 0) {
+      result.report.converged = false;
+      result.report.history = {100};
+    }
+    return result;
+  }};
+  World<6> world({.gravity = Vec3::Zero(), .solver = fails_once});
+  world.add_fixed(Vec3::Zero());
+  world.add({.x = Vec3(1, 0, 0), .v = Vec3(0, 50, 0), .mass = 1, .radius = 0.1});
+  world.add_joint({.i = 0, .j = 1, .length = 1});
+  RunCheck<6> check;
+  for (int n = 0; n < 3; ++n) {
+    world.step(1.0 / 60);
+    check.look(world, 1.0 / 60);
+  }
+  ASSERT_EQ(check.verdict().state, State::sound) << check.verdict().reason;
+  ASSERT_EQ(world.parts(), 8);
+  until_failure = 2;
+  world.step(1.0 / 60);
+  check.look(world, 1.0 / 60);
+  EXPECT_EQ(check.verdict().state, State::unsolved);
+}
+
 TEST(Verdict, ABodyThatBeginsInTheFloorIsLiftedAndSound) {
   // The contact lifts it by its depth, which takes m g times that. The check begins before the first step, or after it.
   for (const bool begins : {true, false})

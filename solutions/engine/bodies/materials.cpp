@@ -6,39 +6,55 @@
 
 namespace spook {
 
-void Materials::look_at(const Material& material) {
+/// Throws std::invalid_argument for numbers out of range.
+static void require_sound(const Material& material) {
   if (material.friction) require_not_negative("friction", *material.friction);
   if (material.restitution && !(*material.restitution >= 0 && *material.restitution <= 1))
     reject("restitution", *material.restitution, "from 0 to 1");
   if (material.k) require_positive("k", *material.k);
   if (material.d) require_not_negative("d", *material.d);
-  for (const auto& [name, length] : {std::pair("rolling_resistance", material.rolling_resistance),
-                                     std::pair("torsional_resistance", material.torsional_resistance)}) {
-    if (!length) continue;
-    require_not_negative(name, *length);
-    resist_ = resist_ || *length > 0;
-  }
-  rub_ = rub_ || material.friction.value_or(0) > 0;
-  bounce_ = bounce_ || material.restitution;
+  if (material.rolling_resistance) require_not_negative("rolling_resistance", *material.rolling_resistance);
+  if (material.torsional_resistance)
+    require_not_negative("torsional_resistance", *material.torsional_resistance);
+}
+
+/// Counts a material once `more`, or once less if `more` is -1.
+void Materials::count(const Material& material, int more) {
+  if (material.friction.value_or(0) > 0) rub_ += more;
+  if (material.restitution) bounce_ += more;
+  if (material.rolling_resistance.value_or(0) > 0 || material.torsional_resistance.value_or(0) > 0)
+    resist_ += more;
 }
 
 void Materials::set(int body, const Material& material) {
-  look_at(material);
+  require_sound(material);
   if (body >= std::ssize(bodies_)) bodies_.resize(static_cast<std::size_t>(body) + 1);
-  bodies_[static_cast<std::size_t>(body)] = material;
+  Material& own = bodies_[static_cast<std::size_t>(body)];
+  count(own, -1);
+  own = material;
+  count(own, 1);
 }
 
 void Materials::set(int i, int j, const Material& material) {
-  look_at(material);
-  pairs_[std::minmax(i, j)] = material;
+  require_sound(material);
+  Material& own = pairs_[std::minmax(i, j)];
+  count(own, -1);
+  own = material;
+  count(own, 1);
 }
 
 void Materials::remove(int body) {
-  if (body < std::ssize(bodies_)) bodies_.erase(bodies_.begin() + body);
+  if (body < std::ssize(bodies_)) {
+    count(bodies_[static_cast<std::size_t>(body)], -1);
+    bodies_.erase(bodies_.begin() + body);
+  }
   std::map<std::pair<int, int>, Material> left;
   for (const auto& [pair, material] : pairs_) {
     const auto [i, j] = pair;
-    if (i != body && j != body) left[{i - (i > body), j - (j > body)}] = material;
+    if (i == body || j == body)
+      count(material, -1);
+    else
+      left[{i - (i > body), j - (j > body)}] = material;
   }
   pairs_ = std::move(left);
 }

@@ -51,7 +51,8 @@ class Materials {
 
   PairMaterial of(int i, int j) const;
 
-  /// The materials that were set: by body, where bodies after the last may lack one; and by pair, the smaller index first.
+  /// The materials that were set: by body, where bodies after the last may lack one; and by pair, the smaller index
+  /// first.
   const std::vector<Material>& of_bodies() const { return bodies_; }
   const std::map<std::pair<int, int>, Material>& of_pairs() const { return pairs_; }
 
@@ -59,22 +60,23 @@ class Materials {
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }
 
   /// Tells whether any coefficient of friction is positive.
-  bool rub() const { return rub_; }
+  bool rub() const { return rub_ > 0; }
 
   /// Tells whether any material has a restitution.
-  bool bounce() const { return bounce_; }
+  bool bounce() const { return bounce_ > 0; }
 
   /// Tells whether any material resists rolling or torsion.
-  bool resist() const { return resist_; }
+  bool resist() const { return resist_ > 0; }
 
  private:
-  void look_at(const Material& material);
+  void count(const Material& material, int more);
   PairMaterial of_body(int body) const;
 
   PairMaterial world_;
   std::vector<Material> bodies_;
   std::map<std::pair<int, int>, Material> pairs_;
-  bool rub_ = world_.friction > 0, bounce_ = false, resist_ = false;
+  // Numbers of materials: with friction, that of the world included; with a restitution; with resistance.
+  int rub_ = world_.friction > 0 ? 1 : 0, bounce_ = 0, resist_ = 0;
 };
 
 }  // namespace spook

@@ -81,8 +81,8 @@ class Surfaces {
   std::vector<int> solid_of_;
 };
 
-/// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n. `on_face`: by
-/// several contacts.
+/// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n. `on_face`:
+/// by several contacts.
 bool is_ghost(int body, int other, const Vec3& n, bool on_face, const std::vector<Support>& supports,
               const Surfaces& surfaces) {
   if (!surfaces.box(other)) return false;

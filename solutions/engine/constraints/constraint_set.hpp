@@ -7,15 +7,19 @@
 
 namespace spook {
 
-/// The rows of the joints, then those of the contacts. All contacts have the same number of rows: the normal row, and
-/// the rows of two tangents if any pair has friction.
+/// The rows of the joints, then those that resist rolling and torsion, then those of the contacts. All contacts have
+/// the same number of rows: the normal row, and the rows of two tangents if any pair has friction.
 template <int Dof>
 struct ConstraintSet {
   std::vector<Row<Dof>> rows = {};
   std::size_t first_contact_row = 0;
+  std::size_t resistance_rows = 0;   ///< the last ones before first_contact_row
   std::size_t rows_per_contact = 1;  ///< 1, or 3 with friction
   /// Contacts whose friction follows the normal impulse, in the order of their rows. Empty for the friction box.
   std::vector<FrictionContact> friction = {};
+
+  /// Returns the number of rows of joints, which come first.
+  std::size_t joint_rows() const { return first_contact_row - resistance_rows; }
 
   /// Returns the index of a contact's normal row.
   std::size_t normal_row(std::size_t contact) const { return first_contact_row + rows_per_contact * contact; }
@@ -32,7 +36,7 @@ struct ConstraintSet {
   void clear() {
     rows.clear();
     friction.clear();
-    first_contact_row = 0;
+    first_contact_row = resistance_rows = 0;
   }
 };
 

@@ -45,8 +45,9 @@ struct Friction {
   bool sliding_tangents = false;
 };
 
-/// Replaces the rows of the contacts. Friction rows have the bounds of the box; 0 for two passes; infinite for the cone.
-/// For the last two, `constraints.friction` lists the contacts. The rows are the same for any number of `threads`.
+/// Replaces the rows of the contacts. Friction rows have the bounds of the box; 0 for two passes; infinite for the
+/// cone. For the last two, `constraints.friction` lists the contacts. The rows are the same for any number of
+/// `threads`.
 template <int Dof>
 void set_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, int threads,

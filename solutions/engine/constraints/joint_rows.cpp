@@ -51,8 +51,8 @@ static double reach(const Constraint<Dof>& row, double h, const Motion<Dof>& mot
 }
 
 /// Returns the largest speed with which a limit returns its coordinate into the range [rad/s or m/s]. A hinge without a
-/// k of its own turns back slowly. In a step its bodies move straight, and the gap that a large turn leaves between them
-/// would become a speed.
+/// k of its own turns back slowly. In a step its bodies move straight, and the gap that a large turn leaves between
+/// them would become a speed.
 static double largest_return(const Joint& joint) {
   return joint.kind == JointKind::hinge && joint.has_default_k_turn ? 0.5 : infinity;
 }
@@ -108,8 +108,8 @@ static Row<6> spring_row(const Coordinate& free, const Spring& spring, double h,
                      motion);
 }
 
-/// Returns the speed nearest to a motor's own that the limits allow: within the limits, the remaining distance in a step of
-/// `h`; beyond a limit, `beyond` of its gap.
+/// Returns the speed nearest to a motor's own that the limits allow: within the limits, the remaining distance in a
+/// step of `h`; beyond a limit, `beyond` of its gap.
 template <class Beyond>
 static double nearest_speed(const Joint& joint, double value, double h, const Beyond& beyond) {
   const auto allowed = [&](double gap) { return gap > 0 ? gap / h : beyond(gap); };
@@ -117,7 +117,8 @@ static double nearest_speed(const Joint& joint, double value, double h, const Be
   return std::min(std::max(joint.motor->speed, least), most);
 }
 
-/// Returns the speed that a motor aims at. Beyond a limit it is the speed of return of the limit's own row: Eq. (13.17).
+/// Returns the speed that a motor aims at. Beyond a limit it is the speed of return of the limit's own row: Eq.
+/// (13.17).
 static double speed_within(const Joint& joint, double value, double h) {
   const double a = spook_parameters(h, 1, *joint.limit_d).a, largest = largest_return(joint);
   return nearest_speed(joint, value, h, [&](double gap) { return std::max(a * gap, -largest); });

@@ -27,8 +27,8 @@
 namespace spook {
 
 /// Adds the rows of each joint in turn: one for a distance, three for a ball joint, five or six for a hinge, slider or
-/// weld, then the rows of its limit, its spring and its motor. Defaults of the joints must be filled in, as a world does.
-/// The relaxation of joints without a k of their own is at least `least_d` [steps].
+/// weld, then the rows of its limit, its spring and its motor. Defaults of the joints must be filled in, as a world
+/// does. The relaxation of joints without a k of their own is at least `least_d` [steps].
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows, double least_d = 0);
@@ -36,13 +36,14 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
 /// Tells whether a joint's limits change the speed that its motor aims at, at the free coordinate `value`, Eq. (13.17).
 bool limits_motor(const Joint& joint, double value, double h);
 
-/// Returns the speed that a motor aims at in the second solve, Eq. (7.17), after which no speed of a return is left: its
-/// own, but 0 towards an exceeded limit.
+/// Returns the speed that a motor aims at in the second solve, Eq. (7.17), after which no speed of a return is left:
+/// its own, but 0 towards an exceeded limit.
 double speed_without_return(const Joint& joint, double value, double h);
 
-/// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has changed the speed of
-/// this row. Then the motor's part is that of Eq. (13.12) and (13.13) with its own desired speed, and the limit has the
-/// remainder. `speed`: G W at the end of the step. 0 for a motor of infinite strength, whose part would be infinite.
+/// Returns the part of the motor row's λ that is the limit's [N s or N m s]: 0 unless Eq. (13.17) has changed the speed
+/// of this row. Then the motor's part is that of Eq. (13.12) and (13.13) with its own desired speed, and the limit has
+/// the remainder. `speed`: G W at the end of the step. 0 for a motor of infinite strength, whose part would be
+/// infinite.
 double impulse_of_limit(const Joint& joint, const Row<6>& motor_row, double speed, const Bodies<6>& bodies,
                         double h);
 

@@ -35,8 +35,8 @@ static inline double speed(const PointRow<Dof>& row, const Twist<Dof>& Wi, const
   return u;
 }
 
-/// Adds M⁻¹ Gᵀ Δλ to W, for the forces e Δλ and torques A Δλ of rows that share `row`'s bodies. Does not write to static
-/// bodies, which stripes share.
+/// Adds M⁻¹ Gᵀ Δλ to W, for the forces e Δλ and torques A Δλ of rows that share `row`'s bodies. Does not write to
+/// static bodies, which stripes share.
 template <int Dof>
 static inline void push(const PointRow<Dof>& row, const Vec3& impulse,
                         const Eigen::Matrix<double, Dof - 3, 1>& turn_i,

@@ -1,6 +1,6 @@
 #pragma once
-// Contacts of soft steps in a layout of their own. A sweep reads 528 bytes of a contact with friction, where the rows of
-// chapter 04 have 768. It writes λ alone, and computes the target of a row where the row is updated.
+// Contacts of soft steps in a layout of their own. A sweep reads 528 bytes of a contact with friction, where the rows
+// of chapter 04 have 768. It writes λ alone, and computes the target of a row where the row is updated.
 //
 //   G of a contact      -e and e in the linear parts, so e is stored once, and M⁻¹ Gᵀ is e times the inverse masses
 //   velocity of a row   u = e·(v_j - v_i) + A_i·ω_i + A_j·ω_j,  A the angular parts of G            Eq. (3.3)
@@ -50,8 +50,8 @@ class SoftContacts {
   /// Tells whether λ of a contact was above 0 when the gaps moved.
   bool pressed(std::size_t contact) const { return normals_[contact].pressed; }
 
-  /// Copies λ to the rows of the contacts, and makes these the rows of the relaxing sweep in a substep of `h` [s]: their
-  /// residual is what this sweep has left.
+  /// Copies λ to the rows of the contacts, and makes these the rows of the relaxing sweep in a substep of `h` [s]:
+  /// their residual is what this sweep has left.
   void return_rows(double h, ConstraintSet<Dof>& constraints) const;
 
  private:

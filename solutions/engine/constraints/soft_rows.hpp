@@ -36,8 +36,8 @@ struct SoftSteps {
   double closing_speed = 3;  ///< largest speed at which an overlap is moved apart [m/s]
 };
 
-/// Throws std::invalid_argument, naming the parameter, unless substeps are 1 to 1024, and all other numbers are positive
-/// and finite.
+/// Throws std::invalid_argument, naming the parameter, unless substeps are 1 to 1024, and all other numbers are
+/// positive and finite.
 void require_sound(const SoftSteps& soft);
 
 /// The target of a row in soft steps.

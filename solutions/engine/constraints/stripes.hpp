@@ -1,8 +1,8 @@
 #pragma once
 // Stripes: bodies side by side, for sweeps on several threads.
 //
-//   stripes    n bodies are divided into ∛n/2 stripes, a multiple of four from four on, with equal numbers of items: in a
-//              cube a stripe is two bodies wide
+//   stripes    n bodies are divided into ∛n/2 stripes, a multiple of four from four on, with equal numbers of items:
+//              in a cube a stripe is two bodies wide
 //   an item    a row or a contact. It belongs to the first stripe that contains one of its bodies; most items reach at
 //              most into the next one
 //   a sweep    has rounds: all even stripes in parallel, then all odd stripes in parallel; then, on one thread, the

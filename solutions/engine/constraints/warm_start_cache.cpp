@@ -1,6 +1,8 @@
 #include "engine/constraints/warm_start_cache.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -142,12 +144,16 @@ template <int Dof>
 void WarmStartCache::remember(const ConstraintSet<Dof>& constraints, const std::vector<Contact>& contacts,
                               double h, int threads) {
   const std::vector<Row<Dof>>& rows = constraints.rows;
-  const std::size_t first = constraints.first_contact_row;
-  joints_.resize(first);
+  const std::size_t joints = constraints.joint_rows(), first = constraints.first_contact_row;
+  joints_.resize(joints);
+  resistance_.resize(first - joints);
   contact_rows_.resize(rows.size() - first);
   contacts_.resize(contacts.size());
   parallel_for(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
-    for (; k < end; ++k) (k < first ? joints_[k] : contact_rows_[k - first]) = rows[k].lambda;
+    for (; k < end; ++k)
+      (k < joints  ? joints_[k]
+       : k < first ? resistance_[k - joints]
+                   : contact_rows_[k - first]) = rows[k].lambda;
   });
   tangents_.resize(constraints.rows_per_contact == 3 ? contacts.size() : 0);
   parallel_for(threads, contacts.size(), [&](std::size_t, std::size_t c, std::size_t end) {
@@ -157,15 +163,32 @@ void WarmStartCache::remember(const ConstraintSet<Dof>& constraints, const std::
     }
   });
   h_ = h;
+  sort_pairs();
+}
+
+/// Contacts with planes, and those of points, may come before others of a smaller pair.
+void WarmStartCache::sort_pairs() {
+  by_pair_.clear();
+  const auto less = [](const OldContact& one, const OldContact& other) {
+    return numbers_of(one) < numbers_of(other);
+  };
+  if (std::is_sorted(contacts_.begin(), contacts_.end(), less)) return;
+  by_pair_.resize(contacts_.size());
+  std::iota(by_pair_.begin(), by_pair_.end(), std::size_t{0});
+  std::sort(by_pair_.begin(), by_pair_.end(),
+            [&](std::size_t one, std::size_t other) { return less(contacts_[one], contacts_[other]); });
 }
 
 template <int Dof>
 std::vector<double> WarmStartCache::impulses(const ConstraintSet<Dof>& constraints,
                                              const std::vector<Contact>& contacts, double h,
                                              int threads) const {
-  if (joints_.empty() && contact_rows_.empty()) return {};
-  std::vector<double> all = joint_impulses(constraints.first_contact_row, h);
+  if (is_empty()) return {};
+  std::vector<double> all = joint_impulses(constraints.joint_rows(), h);
   all.resize(constraints.rows.size(), 0);
+  if (constraints.resistance_rows == resistance_.size())
+    for (std::size_t k = 0; k < resistance_.size(); ++k)
+      all[constraints.joint_rows() + k] = h / h_ * resistance_[k];
   const std::size_t each =
       constraints.rows_per_contact;  // another number if the first friction of a world is new
   if (contacts.empty() || contacts_.empty() || contact_rows_.size() != each * contacts_.size()) return all;
@@ -181,7 +204,7 @@ std::vector<double> WarmStartCache::impulses(const ConstraintSet<Dof>& constrain
 }
 
 std::vector<double> WarmStartCache::joint_impulses(std::size_t rows, double h) const {
-  if (joints_.empty() && contact_rows_.empty()) return {};
+  if (is_empty()) return {};
   std::vector<double> all(rows, 0);
   for (std::size_t k = 0; k < std::min(rows, joints_.size()); ++k) all[k] = h / h_ * joints_[k];
   return all;
@@ -190,15 +213,15 @@ std::vector<double> WarmStartCache::joint_impulses(std::size_t rows, double h) c
 double WarmStartCache::contact_force(int i, int j) const {
   if (contacts_.empty()) return 0;
   const std::pair pair(i, j);
-  const auto before = [](const OldContact& contact, const auto& numbers) {
-    return numbers_of(contact) < numbers;
-  };
-  const auto first = std::lower_bound(contacts_.begin(), contacts_.end(), pair, before);
+  const auto at = [&](std::size_t n) { return by_pair_.empty() ? n : by_pair_[n]; };
+  const auto places = std::views::iota(std::size_t{0}, contacts_.size());
+  const auto first =
+      std::ranges::lower_bound(places, pair, {}, [&](std::size_t n) { return numbers_of(contacts_[at(n)]); });
   double largest = 0;
   const std::size_t each = contact_rows_.size() / contacts_.size();
-  for (auto c = static_cast<std::size_t>(first - contacts_.begin());
-       c < contacts_.size() && numbers_of(contacts_[c]) == pair; ++c)
-    largest = std::max(largest, contact_rows_[c * each] / h_);
+  for (auto n = static_cast<std::size_t>(first - places.begin());
+       n < contacts_.size() && numbers_of(contacts_[at(n)]) == pair; ++n)
+    largest = std::max(largest, contact_rows_[at(n) * each] / h_);
   return largest;
 }
 

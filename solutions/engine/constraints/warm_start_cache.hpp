@@ -2,6 +2,7 @@
 // Warm start: a row starts with its impulse of the last step, if its joint or contact existed then.
 //
 //   joints     by index
+//   rolling    rows that resist rolling and torsion: by index, if there are as many as in the last step
 //   contacts   by match_contacts, Eq. (10.1): the nearest contact of the same pair, at any distance. match_contacts
 //              itself runs only for new pairs, and where two contacts have the same nearest one
 //   friction   the same vector along the new tangents, which may differ a lot: near an axis, a rounding error of the
@@ -28,9 +29,11 @@ class WarmStartCache {
   /// Removes all impulses.
   void forget() {
     joints_.clear();
+    resistance_.clear();
     contact_rows_.clear();
     contacts_.clear();
     tangents_.clear();
+    by_pair_.clear();
     h_ = 0;
   }
 
@@ -51,13 +54,21 @@ class WarmStartCache {
   /// Returns the largest normal force that one contact of bodies i and j had in the finished step [N]; 0 without one.
   double contact_force(int i, int j) const;
 
-  void state(StateStream& s) { s(joints_, contact_rows_, contacts_, tangents_, h_); }
+  void state(StateStream& s) {
+    s(joints_, resistance_, contact_rows_, contacts_, tangents_, h_);
+    sort_pairs();
+  }
 
  private:
+  void sort_pairs();
+  bool is_empty() const { return joints_.empty() && resistance_.empty() && contact_rows_.empty(); }
+
   std::vector<double> joints_;        // of each row [N s]
+  std::vector<double> resistance_;    // of each row that resists rolling or torsion [N s]
   std::vector<double> contact_rows_;  // of each row [N s]
   std::vector<OldContact> contacts_;
-  std::vector<Tangents> tangents_;  // of each contact with friction
+  std::vector<Tangents> tangents_;    // of each contact with friction
+  std::vector<std::size_t> by_pair_;  // the contacts in the order of their pairs; empty: they are in this order
   double h_ = 0;
 };
 

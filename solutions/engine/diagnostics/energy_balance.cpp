@@ -14,8 +14,8 @@ static bool may_stop(const Joint& joint) {
   return joint.limits || joint.kind == JointKind::rope;
 }
 
-/// Returns the energy that closed contacts may give [J]: ½ k gap². Contacts without a k of their own leave no speed, but
-/// they lift what lies on them out of an overlap, by at most the sum of all forces, `load` [N]. 0 with soft steps.
+/// Returns the energy that closed contacts may give [J]: ½ k gap². Contacts without a k of their own leave no speed,
+/// but they lift what lies on them out of an overlap, by at most the sum of all forces, `load` [N]. 0 with soft steps.
 template <int Dof>
 static double energy_of_contacts(const World<Dof>& world, double load) {
   if (world.settings().soft_steps) return 0;
@@ -29,8 +29,8 @@ static double energy_of_contacts(const World<Dof>& world, double load) {
   return energy;
 }
 
-/// Returns the energy of a motion by 1e-8 of `size` [m] and by 1e-8 rad in a step of `h` [s]. Recovery leaves speeds of a
-/// tenth of that: engine/world/world_recovery.ipp.
+/// Returns the energy of a motion by 1e-8 of `size` [m] and by 1e-8 rad in a step of `h` [s]. Recovery leaves speeds of
+/// a tenth of that: engine/world/world_recovery.ipp.
 template <int Dof>
 static double energy_unseen(const Bodies<Dof>& bodies, double size, double h) {
   const double turn = unseen / h, speed = turn * size;

@@ -9,11 +9,11 @@
 // Δx is a body's way, so that the energy which lifts it out of an overlap counts. Springs are joints with a gap, and
 // closed contacts.
 //
-// Velocities that are given may contradict joints. What joints without a k of their own take from them in the first five
-// steps is counted apart, unless a contact, an impact, a limit or a rope may have taken it: a step leaves 1/(1 + 4d) of
-// such a velocity, Eq. (3.5), and five steps with d = 1/4 a thousandth of its energy. Meanwhile the work of motors and
-// springs is not known: what they seem to bring in is no gain. Joints with a k of their own store energy, and give it
-// back.
+// Velocities that are given may contradict joints. What joints without a k of their own take from them in the first
+// five steps is counted apart, unless a contact, an impact, a limit or a rope may have taken it: a step leaves 1/(1 +
+// 4d) of such a velocity, Eq. (3.5), and five steps with d = 1/4 a thousandth of its energy. Meanwhile the work of
+// motors and springs is not known: what they seem to bring in is no gain. Joints with a k of their own store energy,
+// and give it back.
 #include <vector>
 
 #include "engine/world/world.hpp"

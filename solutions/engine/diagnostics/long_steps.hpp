@@ -12,8 +12,8 @@ namespace spook {
 
 class LongSteps {
  public:
-  /// Looks at the step of `h` [s] that the world has just taken from positions `x`. Without a formula, `Settings::force`,
-  /// it costs nothing.
+  /// Looks at the step of `h` [s] that the world has just taken from positions `x`. Without a formula,
+  /// `Settings::force`, it costs nothing.
   template <int Dof>
   void look(const World<Dof>& world, const std::vector<Vec3>& x, double h) {
     const Settings<Dof>& settings = world.settings();

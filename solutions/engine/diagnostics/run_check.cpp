@@ -62,7 +62,6 @@ static double smallest_size(const std::vector<double>& sizes, const std::vector<
   return std::isfinite(smallest) ? smallest : 0;
 }
 
-/// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
 /// Tells whether the residual rises tenfold in the second half of the history, from which its rate is computed. Then
 /// several methods were tried, each from the start, and there is no rate.
 static bool begins_anew(const std::vector<double>& history) {
@@ -74,6 +73,7 @@ static bool begins_anew(const std::vector<double>& history) {
   return false;
 }
 
+/// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
 template <int Dof>
 static double fastest_products(const World<Dof>& world) {
   double longest = 0, fastest = 0;
@@ -81,6 +81,18 @@ static double fastest_products(const World<Dof>& world) {
     longest = std::max({longest, row.Gi.squaredNorm(), row.Gj.squaredNorm()});
   for (const Twist<Dof>& W : world.bodies().motion.W) fastest = std::max(fastest, W.squaredNorm());
   return 2 * std::sqrt(longest * fastest);
+}
+
+/// Returns the largest right-hand side of the rows of the last step, or velocity change by forces in a step [m/s].
+template <int Dof>
+static double right_hand_side(const World<Dof>& world, double h) {
+  const Bodies<Dof>& bodies = world.bodies();
+  double asked = rhs_norm(world.rows());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
+  if (world.settings().stepper)
+    for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
+  return asked;
 }
 
 /// Tells whether indices mean the same bodies as at the last check. A check whose state was just read, and which has no
@@ -148,25 +160,14 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   // A solver may have converged to a tolerance that is too large.
   const SolveReport& solved = world.solved();
   if (solved.converged && solved.history.empty()) return;
-  const Bodies<Dof>& bodies = world.bodies();
-  const double residual = solved.converged ? solved.history.back() : world.report().residual;
+  double residual = solved.converged ? solved.history.back() : world.report().residual;
+  // The report is that of a part that is not solved, and the rows are those of the last part.
+  const bool of_parts = world.parts() > 1 && !world.settings().soft_steps;
+  if (of_parts && !solved.converged && !solved.history.empty())
+    residual = std::max(residual, solved.history.back());
   if (residual <= share_of_roundings * fastest_) return;
-  double asked = rhs_norm(world.rows());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
-  if (world.settings().stepper)
-    for (const Twist<Dof>& W : bodies.motion.W) asked = std::max(asked, W.template head<3>().norm());
-  if (world.settings().soft_steps) {
-    // Each sweep begins where the last one ended, so a rate cannot be seen, and the residual is the error. It may be as
-    // large as what it does to positions.
-    const double size = smallest_size(sizes_, world.joints()), way = h * residual;
-    if (way <= share_unsolved * std::max(h * asked, size)) return;
-    ++verdict_.unsolved;
-    return find(State::unsolved, world,
-                "the solver's error is " + text(residual) + " m/s, so bodies move by " + text(way) +
-                    " m in a step, more than a hundredth of the size " + text(size) +
-                    " m: more substeps would reduce it");
-  }
+  const double asked = right_hand_side(world, h);
+  if (world.settings().soft_steps) return look_at_soft_solve(world, residual, asked, h);
   const bool has_rate = !solved.converged && !begins_anew(solved.history);
   double left = has_rate ? estimated_error(residual, solved.history) : residual;
   const bool stalled =
@@ -185,6 +186,19 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   find(State::unsolved, world,
        "the solver's error is " + text(left) + " m/s, where the right-hand side is " + text(asked) +
            " m/s: more sweeps, or the solver " + by_factors + ", would reduce it");
+}
+
+/// In soft steps each sweep begins where the last one ended, so a rate cannot be seen, and the residual is the error.
+/// It may be as large as what it does to positions.
+template <int Dof>
+void RunCheck<Dof>::look_at_soft_solve(const World<Dof>& world, double residual, double asked, double h) {
+  const double size = smallest_size(sizes_, world.joints()), way = h * residual;
+  if (way <= share_unsolved * std::max(h * asked, size)) return;
+  ++verdict_.unsolved;
+  find(State::unsolved, world,
+       "the solver's error is " + text(residual) + " m/s, so bodies move by " + text(way) +
+           " m in a step, more than a hundredth of the size " + text(size) +
+           " m: more substeps would reduce it");
 }
 
 template <int Dof>

@@ -25,8 +25,8 @@
 //                     the residual is round-off of the largest velocities so far: errors of a body at rest are not
 //                     seen. Only the part that moves bodies counts, and not how redundant rows share an impulse
 //   soft steps        are unsolved if this error moves bodies by more than a hundredth of the smallest size in a step
-//   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of the
-//                     speeds, too
+//   right-hand side   the largest of |B| and of the velocity changes h f/m; for a stepper, whose rows are unknown, of
+//                     the speeds, too
 //   SPOOK's rate      an overlap shrinks by the part a h = 4/(1 + 4 d) in a step, Eq. (3.4)
 //
 // A check costs about as much as a sweep. Runs for timing omit the check.
@@ -95,6 +95,7 @@ class RunCheck {
   Overlap largest_overlap(const World<Dof>& world) const;
 
   void look_at_solve(const World<Dof>& world, double h);
+  void look_at_soft_solve(const World<Dof>& world, double residual, double asked, double h);
   void look_at_gaps(const World<Dof>& world, double h);
   void look_at_energy(const World<Dof>& world, double h);
   void look_at_motion(const World<Dof>& world, double h);

@@ -5,7 +5,8 @@ namespace spook {
 template <int Dof>
 double spring_energy(const World<Dof>& world, double h) {
   if (world.settings().integrator_order == 4) return 0;
-  const auto held = [h](double lambda, double k) { return lambda * lambda / (2 * h * h * k); };
+  const double part = h / world.parts();  // to which λ belongs
+  const auto held = [part](double lambda, double k) { return lambda * lambda / (2 * part * part * k); };
   const auto joints = static_cast<int>(world.joints().size()),
              contacts = static_cast<int>(world.contacts().size());
   double energy = 0;
@@ -19,7 +20,10 @@ double spring_energy(const World<Dof>& world, double h) {
         energy += pulled.spring->stiffness * drawn * drawn / 2;
       }
   }
-  for (int c = 0; c < contacts; ++c) energy += held(world.lambda(c), world.contact_stiffness());
+  for (int c = 0; c < contacts; ++c) {
+    const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
+    energy += held(world.lambda(c), world.materials().of(contact.i, contact.j).k);
+  }
   return energy;
 }
 

@@ -9,8 +9,8 @@
 
 namespace spook {
 
-/// Returns s/μ², an upper bound of the error of velocities over the residual if that is above 1. Infinite for contacts on cones, whose rows have no bounds of
-/// their own, and if it is not known.
+/// Returns s/μ², an upper bound of the error of velocities over the residual if that is above 1. Infinite for contacts
+/// on cones, whose rows have no bounds of their own, and if it is not known.
 template <int Dof>
 double understatement(const World<Dof>& world);
 

@@ -3,8 +3,9 @@
 //
 //   G_k Δv + Σ_k λ_k = 0    an impact changes no velocity along the row k of a joint             Eq. (7.19)
 //
-// A limit that is reached, or a taut rope, has λ >= 0 and u' >= 0 in place of the equation: it holds what closes, and lets
-// go what opens. Springs and motors have bounded forces, and so no impulse. Σ is that of the step: a joint that is softer than a step resolves takes almost none.
+// A limit that is reached, or a taut rope, has λ >= 0 and u' >= 0 in place of the equation: it holds what closes, and
+// lets go what opens. Springs and motors have bounded forces, and so no impulse. Σ is that of the step: a joint that is
+// softer than a step resolves takes almost none.
 #include <cstddef>
 #include <vector>
 

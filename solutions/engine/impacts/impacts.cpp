@@ -156,8 +156,9 @@ class ImpactQueue {
     return together;
   }
 
-  /// Resolves impacts that were `late` ago [s]; none if one was too slow then. If going back by that time closes another
-  /// overlap, out of which rows push its bodies, they would return there in each step. Then the bodies stay in place.
+  /// Resolves impacts that were `late` ago [s]; none if one was too slow then. If going back by that time closes
+  /// another overlap, out of which rows push its bodies, they would return there in each step. Then the bodies stay in
+  /// place.
   void resolve(const std::vector<std::size_t>& together, double late) {
     std::vector<std::size_t> moving;  // dynamic bodies
     for (const std::size_t c : together) add_dynamic({contacts_[c].i, contacts_[c].j}, moving);

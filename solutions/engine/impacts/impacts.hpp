@@ -39,9 +39,10 @@ template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
 /// Resolves the impacts of all closed contacts, the longest delay first: Eq. (7.1)-(7.16). Contacts whose delays differ
-/// by at most a millionth of a step, and that dynamic bodies or joints connect, are resolved together: Eq. (7.18). Joints
-/// of these bodies take their impulses, Eq. (7.19); their defaults must be filled in. `move_freely` moves their bodies. A contact
-/// has at most `max_passes` impacts in a call. A delay is at most two steps, of `h` or of the last step `last_h` [s]. Updates velocities, positions and gaps. Returns the impacts.
+/// by at most a millionth of a step, and that dynamic bodies or joints connect, are resolved together: Eq. (7.18).
+/// Joints of these bodies take their impulses, Eq. (7.19); their defaults must be filled in. `move_freely` moves their
+/// bodies. A contact has at most `max_passes` impacts in a call. A delay is at most two steps, of `h` or of the last
+/// step `last_h` [s]. Updates velocities, positions and gaps. Returns the impacts.
 template <int Dof>
 std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
                                          double last_h, const Shapes& shapes, const std::vector<Joint>& joints,

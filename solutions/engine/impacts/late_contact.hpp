@@ -9,8 +9,8 @@ namespace spook {
 /// Returns the radius of each sphere among the bodies; 0 for all others [m].
 std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies);
 
-/// Returns the time since the gap was 0, Eq. (7.15) [s], for the normal velocity `u_n` [m/s] < 0. The delay of a chain of
-/// impacts adds to that of the pair: at most `longest` [s].
+/// Returns the time since the gap was 0, Eq. (7.15) [s], for the normal velocity `u_n` [m/s] < 0. The delay of a chain
+/// of impacts adds to that of the pair: at most `longest` [s].
 template <int Dof>
 double lateness(const Contact& contact, double u_n, double h, double longest, const Motion<Dof>& motion);
 

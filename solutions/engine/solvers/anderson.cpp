@@ -4,8 +4,8 @@
 //   mixing     λ <- T(λ) - Σ γ_i ΔT_i,  with the γ that minimise |f - Σ γ_i Δf_i|; Δ over the last sweeps   Eq. (10.14)
 //   |f|²       Σ S_kk f_k²
 //   bounds     λ is clamped to its bounds, and friction projected on its disc                      Eq. (4.7), (9.4)
-//   safeguard  if f exceeds twice the least so far, returns to T(λ) and makes plain sweeps, more of them each time: up to eight.
-//              Ends with the λ of the least f since then
+//   safeguard  if f exceeds twice the least so far, returns to T(λ) and makes plain sweeps, more of them each
+//              time: up to eight. Ends with the λ of the least f since then
 //
 // There is a sweep between two mixtures. A history entry is the result of a sweep. Has no cache.
 //

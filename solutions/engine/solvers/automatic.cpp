@@ -6,14 +6,16 @@
 //               cones: sweeps of chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), to 1e-6 of
 //               the right-hand side; a few suffice at rest
 //   factors     after sweeps that left more than 1e-3 of the right-hand side, if factors cost at most 100 times as
-//               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
-//               at once without cones; on cones they get factors unless one sweep converges, as it does at rest
+//               much; to 1e-6. The bodies are then marked as hard until the next hundredth solve. Hard bodies get
+//               factors at once without cones; on cones they get factors unless one sweep converges, as it does at
+//               rest
 //
 // Bodies at rest on cones are marked as hard also if the sweeps converge, but cost more than a factorisation. After
 // factors the residual is small, so that the next steps look with one sweep.
 //
-// Costs are bounds, and those of wide structures are far too high. So where a structure at rest seems too dear, its cost
-// is counted, and may be 5 times that of the allowed sweeps. It gets no more factors for a hundred steps if they fail.
+// Costs are bounds, and those of wide structures are far too high. So where a structure at rest seems too dear, its
+// cost is counted, and may be 5 times that of the allowed sweeps. It gets no more factors until the next hundredth
+// solve if they fail.
 //
 // An island of contacts on cones moves if a body is faster than forces make it in a step. Its next step has other
 // contacts, so an error does not add up. Then factors follow only if sweeps may have left a tenth of the approach, the
@@ -52,10 +54,11 @@ class Automatic {
   }
 
   SolverResult operator()(const SolverInput<Dof>& s) {
-    if (calls_++ % calls_until_forgotten == 0) {
+    if (solves_ == 0) {
       hard_.clear();
       unsolved_.clear();
     }
+    solves_ = (solves_ + 1) % solves_until_forgotten;
     hard_.resize(s.V.size(), false);
     unsolved_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows(), s.V.size());
@@ -85,10 +88,10 @@ class Automatic {
     return result;
   }
 
-  void state(StateStream& s) { s(hard_, unsolved_, calls_); }
+  void state(StateStream& s) { s(hard_, unsolved_, solves_); }
 
  private:
-  static constexpr int calls_until_forgotten = 100;
+  static constexpr int solves_until_forgotten = 100;
   static constexpr int few_sweeps = 5;                   // are cheaper than to count the cost of factors
   static constexpr double worth_of_a_solution = 100;     // in allowed sweeps, by the bound of the cost
   static constexpr double counted_worth = 5;             // in allowed sweeps, by the counted cost
@@ -194,7 +197,8 @@ class Automatic {
     return *island.cost <= worth_of_a_solution * s.stop.max_sweeps;
   }
 
-  /// Tells whether factors are worth their cost. It is not counted for contacts that move, which are others in each step.
+  /// Tells whether factors are worth their cost. It is not counted for contacts that move, which are others in each
+  /// step.
   bool is_worth(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) const {
     if (is_cheap(island, s)) return true;
     if (part.friction.empty() || part.approach > 0 || any_marked(unsolved_, island, s.rows())) return false;
@@ -263,7 +267,7 @@ class Automatic {
   Shares shares_;
   std::vector<bool> hard_;      // bodies of islands that sweeps did not solve in a recent step
   std::vector<bool> unsolved_;  // of those whose counted factors failed
-  int calls_ = 0;
+  int solves_ = 0;              // since bodies lost their marks
   ScratchCache<KnownIslands<Dof>> islands_;
 };
 

@@ -5,15 +5,14 @@
 
 #include "14_fast_rows/fast_rows.hpp"
 #include "engine/solvers/registry.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
 template <int Dof>
 static double sweep_blocks(const SolverInput<Dof>& s) {
   double largest = 0;
-  const auto note = [&](double lacked) {  // NaN stays
-    if (!(std::isnan(largest) || lacked <= largest)) largest = lacked;
-  };
+  const auto note = [&](double lacked) { largest = larger(largest, lacked); };
   auto contact = s.constraints.friction.begin();
   for (std::size_t k = 0; k < s.rows().size(); ++k) {
     if (contact == s.constraints.friction.end() || contact->normal != k) {

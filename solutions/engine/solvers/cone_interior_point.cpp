@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/solvers/cone_interior.hpp"
+#include "engine/solvers/cone_barrier.hpp"
 #include "engine/solvers/cone_newton.hpp"
 
 namespace spook {
@@ -21,21 +21,18 @@ template <int Dof>
 class InteriorPoint {
  public:
   InteriorPoint(ConeProblem<Dof>& problem, const InteriorAttempt& attempt)
-      : problem_(problem), at_(problem, attempt.share), lagged_(at_.is_lagged()), best_(problem.impulses()) {
-    if (attempt.width > 0) {
-      next_try_ *= std::min(1.0, problem.residual() / problem.rhs_norm());
-      at_.start_near(attempt.width);
-    } else {
-      at_.start_inside();
-    }
-  }
+      : problem_(problem),
+        next_try_(attempt.width > 0 ? 1e-3 * std::min(1.0, problem.residual() / problem.rhs_norm()) : 1e-3),
+        best_(problem.impulses()),
+        barrier_(problem, attempt.share, attempt.width),
+        lagged_(barrier_.is_lagged()) {}
 
   bool solve(double tolerance, double enough, int most, std::vector<double>& history) {
     for (int n = 0, short_steps = 0, waited = 0; n < most && short_steps < most_short_steps; ++n) {
       const double part = step(std::isfinite(least_) ? least_ / problem_.rhs_norm() : 1);
       if (part < 0) break;
       const std::vector<double> inside = problem_.impulses();
-      problem_.set_impulses(at_.answer());
+      problem_.set_impulses(barrier_.answer());
       const double left = problem_.residual();
       if (!std::isfinite(left)) break;
       short_steps = !lagged_ && part < short_step ? short_steps + 1 : 0;
@@ -45,16 +42,17 @@ class InteriorPoint {
       if (least_ <= std::max(enough, next_try_ * problem_.rhs_norm())) {
         if (problem_.is_solved(least_, tolerance) || cone_newton(problem_, tolerance, newton_steps, history))
           return true;
+        keep(problem_.residual());
         while (least_ <= next_try_ * problem_.rhs_norm()) next_try_ *= 1e-3;
       }
       if (least_ <= enough) break;
       problem_.set_impulses(inside);
       if (!lagged_) continue;
       if (waited > most_waits) {
-        pace_ = std::max(least_pace, 0.6 * pace_);
+        pace_ = slow_pace;
         waited = 0;
       }
-      at_.follow(pace_);
+      barrier_.follow(pace_);
     }
     problem_.set_impulses(best_);
     if (!history.empty()) history.back() = least_;
@@ -63,7 +61,7 @@ class InteriorPoint {
 
  private:
   static constexpr int most_short_steps = 3, most_waits = 3, newton_steps = 2, sweeps = 15;
-  static constexpr double short_step = 0.1, least_pace = 0.6, reach_of_sweeps = 8;
+  static constexpr double short_step = 0.1, slow_pace = 0.6, reach_of_sweeps = 8;
 
   /// Keeps the current λ, with its residual, if it is the best so far. Returns whether it is.
   bool keep(double residual) {
@@ -85,55 +83,50 @@ class InteriorPoint {
 
   /// Returns a product relative to the target residual.
   double weight(std::size_t b) const {
-    return at_.normal(at_.block(b)).diagonal / (problem_.rhs_norm() * problem_.rhs_norm());
+    return barrier_.normal(barrier_.block(b)).diagonal / (problem_.rhs_norm() * problem_.rhs_norm());
   }
 
-  double normal_step(std::size_t b) const { return step_[at_.block(b).row]; }
-  Vec2 friction_step(std::size_t b) const { return {step_[at_.block(b).row + 1], step_[at_.block(b).row + 2]}; }
+  double normal_step(std::size_t b) const { return step_[barrier_.block(b).row]; }
+  Vec2 friction_step(std::size_t b) const {
+    return {step_[barrier_.block(b).row + 1], step_[barrier_.block(b).row + 2]};
+  }
 
   /// Takes one step: two solves with one factorisation. Returns the fraction of the step that was taken, or -1 if the
   /// solve failed. `left`: the least residual so far, over the right-hand side.
   double step(double left) {
     constexpr double share_of_residual = 0.003;
     factorise();
-    std::vector<Target> target(at_.size());
+    std::vector<Target> target(barrier_.size());
     if (!solve(target)) return -1;
     const double far = longest_step(), before = mean_product(0), after = mean_product(far);
     double centre = before > 0 ? std::pow(std::max(0.0, after / before), 3) * before : 0;
     // Limits that still change would leave λ too close to the boundary.
     if (lagged_) centre = std::max(centre, share_of_residual * std::min(1.0, left * left));
-    for (std::size_t b = 0; b < at_.size(); ++b) target[b] = second_order(b, centre / weight(b));
+    for (std::size_t b = 0; b < barrier_.size(); ++b) target[b] = second_order(b, centre / weight(b));
     if (!solve(target)) return -1;
     const double longest = longest_step(), part = longest < 1 ? (0.9 + 0.09 * far) * longest : 1;
-    std::vector<double> lambda = problem_.impulses();
-    for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] += part * step_[k];
-    for (std::size_t b = 0; b < at_.size(); ++b) {
-      at_.push[b].lo += part * change_[b].lo;
-      at_.push[b].hi += part * change_[b].hi;
-      at_.push[b].slip += part * change_[b].slip;
-    }
-    problem_.set_impulses(lambda);
+    barrier_.advance(part, step_, change_);
     return part;
   }
 
   /// Sets K = A⁻¹ of A Δλ + G v = b.
   void factorise() {
-    for (std::size_t b = 0; b < at_.size(); ++b) {
+    for (std::size_t b = 0; b < barrier_.size(); ++b) {
       ContactBlock& of = problem_.blocks()[b];
       of.K.setZero();
-      if (!at_.is_open(of)) continue;
-      double normal_softness = at_.normal(of).Sigma;
-      if (at_.has_lo(of)) normal_softness += at_.push[b].lo / at_.room_lo(of);
-      if (at_.has_hi(of)) normal_softness += at_.push[b].hi / at_.room_hi(of);
+      if (!barrier_.is_open(of)) continue;
+      double normal_softness = barrier_.normal(of).Sigma;
+      if (barrier_.has_lo(of)) normal_softness += barrier_.push(b).lo / barrier_.room_lo(of);
+      if (barrier_.has_hi(of)) normal_softness += barrier_.push(b).hi / barrier_.room_hi(of);
       of.K(0, 0) = 1 / normal_softness;
-      if (!at_.rubs(of)) continue;
-      const double slip = at_.push[b].slip;
-      const Vec2 e = at_.direction(b);
+      if (!barrier_.rubs(of)) continue;
+      const double slip = barrier_.push(b).slip;
+      const Vec2 e = barrier_.direction(b);
       Mat3 A = Mat3::Zero();
       A(0, 0) = normal_softness;
-      A(1, 1) = A(2, 2) = problem_.row(of.row + 1).Sigma + slip / at_.limit(b);
-      A.block<2, 2>(1, 1) += 2 * slip / at_.room(b) * e * e.transpose();
-      A.block<2, 1>(1, 0) = -2 * slip * at_.limit_rate(b) / at_.room(b) * e;
+      A(1, 1) = A(2, 2) = problem_.row(of.row + 1).Sigma + slip / barrier_.limit(b);
+      A.block<2, 2>(1, 1) += 2 * slip / barrier_.room(b) * e * e.transpose();
+      A.block<2, 1>(1, 0) = -2 * slip * barrier_.limit_rate(b) / barrier_.room(b) * e;
       of.K = A.inverse();
     }
     problem_.factorise();
@@ -141,44 +134,47 @@ class InteriorPoint {
 
   /// Computes Newton's step towards the target: for λ, then for the multipliers.
   bool solve(const std::vector<Target>& target) {
-    for (std::size_t b = 0; b < at_.size(); ++b) {
+    for (std::size_t b = 0; b < barrier_.size(); ++b) {
       ContactBlock& of = problem_.blocks()[b];
       Vec3 right(problem_.row_residual(of.row), 0, 0);
-      if (at_.has_lo(of)) right[0] += target[b].lo / at_.room_lo(of);
-      if (at_.has_hi(of)) right[0] -= target[b].hi / at_.room_hi(of);
-      if (at_.rubs(of)) {
+      if (barrier_.has_lo(of)) right[0] += target[b].lo / barrier_.room_lo(of);
+      if (barrier_.has_hi(of)) right[0] -= target[b].hi / barrier_.room_hi(of);
+      if (barrier_.rubs(of)) {
         const Vec2 r(problem_.row_residual(of.row + 1), problem_.row_residual(of.row + 2));
-        right.tail<2>() = r - target[b].slip / at_.room(b) * at_.direction(b) + target[b].turn;
+        right.tail<2>() = r - target[b].slip / barrier_.room(b) * barrier_.direction(b) + target[b].turn;
       }
       of.k = of.K * right;
     }
     if (!problem_.solve(step_)) return false;
-    change_.assign(at_.size(), {});
-    for (std::size_t b = 0; b < at_.size(); ++b) {
-      const ContactBlock& of = at_.block(b);
-      const Push& now = at_.push[b];
-      if (at_.has_lo(of)) change_[b].lo = (target[b].lo - now.lo * normal_step(b)) / at_.room_lo(of) - now.lo;
-      if (at_.has_hi(of)) change_[b].hi = (target[b].hi + now.hi * normal_step(b)) / at_.room_hi(of) - now.hi;
-      if (at_.rubs(of)) change_[b].slip = (target[b].slip - now.slip * room_change(b)) / at_.room(b) - now.slip;
+    change_.assign(barrier_.size(), {});
+    for (std::size_t b = 0; b < barrier_.size(); ++b) {
+      const ContactBlock& of = barrier_.block(b);
+      const Push& now = barrier_.push(b);
+      if (barrier_.has_lo(of))
+        change_[b].lo = (target[b].lo - now.lo * normal_step(b)) / barrier_.room_lo(of) - now.lo;
+      if (barrier_.has_hi(of))
+        change_[b].hi = (target[b].hi + now.hi * normal_step(b)) / barrier_.room_hi(of) - now.hi;
+      if (barrier_.rubs(of))
+        change_[b].slip = (target[b].slip - now.slip * room_change(b)) / barrier_.room(b) - now.slip;
     }
     return true;
   }
 
   /// Returns the first-order change of R with λ [N s].
   double room_change(std::size_t b) const {
-    const Vec2 e = at_.direction(b);
-    return at_.limit_rate(b) * normal_step(b) * (1 + e.squaredNorm()) - 2 * e.dot(friction_step(b));
+    const Vec2 e = barrier_.direction(b);
+    return barrier_.limit_rate(b) * normal_step(b) * (1 + e.squaredNorm()) - 2 * e.dot(friction_step(b));
   }
 
   /// Sets the target of the products to `centre`, minus the second-order change by the predictor: Eq. (11.11).
   Target second_order(std::size_t b, double centre) const {
     const double along = normal_step(b);
     Target target{.lo = centre - along * change_[b].lo, .hi = centre + along * change_[b].hi};
-    if (!at_.rubs(at_.block(b))) return target;
-    const double L = at_.limit(b), of_L = at_.limit_rate(b) * along, slip = at_.push[b].slip;
-    const Vec2 e = at_.direction(b), of_e = (friction_step(b) - of_L * e) / L;
+    if (!barrier_.rubs(barrier_.block(b))) return target;
+    const double L = barrier_.limit(b), of_L = barrier_.limit_rate(b) * along, slip = barrier_.push(b).slip;
+    const Vec2 e = barrier_.direction(b), of_e = (friction_step(b) - of_L * e) / L;
     const double of_room = -2 * of_L * e.dot(of_e) - L * of_e.squaredNorm();
-    target.slip = at_.block(b).mu * centre - change_[b].slip * room_change(b) - slip * of_room;
+    target.slip = barrier_.block(b).mu * centre - change_[b].slip * room_change(b) - slip * of_room;
     target.turn = (slip * of_L / L - change_[b].slip) * of_e;
     return target;
   }
@@ -189,17 +185,19 @@ class InteriorPoint {
     const auto keep = [&](double room, double change) {
       if (change < 0) part = std::min(part, -room / change);
     };
-    for (std::size_t b = 0; b < at_.size(); ++b) {
-      const ContactBlock& of = at_.block(b);
-      if (at_.has_lo(of)) keep(at_.room_lo(of), normal_step(b)), keep(at_.push[b].lo, change_[b].lo);
-      if (at_.has_hi(of)) keep(at_.room_hi(of), -normal_step(b)), keep(at_.push[b].hi, change_[b].hi);
-      if (!at_.rubs(of)) continue;
-      keep(at_.push[b].slip, change_[b].slip);
+    for (std::size_t b = 0; b < barrier_.size(); ++b) {
+      const ContactBlock& of = barrier_.block(b);
+      if (barrier_.has_lo(of))
+        keep(barrier_.room_lo(of), normal_step(b)), keep(barrier_.push(b).lo, change_[b].lo);
+      if (barrier_.has_hi(of))
+        keep(barrier_.room_hi(of), -normal_step(b)), keep(barrier_.push(b).hi, change_[b].hi);
+      if (!barrier_.rubs(of)) continue;
+      keep(barrier_.push(b).slip, change_[b].slip);
       // L² - |λ_t|² = c + 2 b α + a α², which is positive at α = 0
       const Vec2 along = friction_step(b);
-      const double L = at_.limit(b), of_L = at_.limit_rate(b) * normal_step(b), c = at_.room(b) * L,
-                   half_b = L * of_L - problem_.friction(of).dot(along), a = of_L * of_L - along.squaredNorm(),
-                   discriminant = half_b * half_b - a * c;
+      const double L = barrier_.limit(b), of_L = barrier_.limit_rate(b) * normal_step(b),
+                   c = barrier_.room(b) * L, half_b = L * of_L - problem_.friction(of).dot(along),
+                   a = of_L * of_L - along.squaredNorm(), discriminant = half_b * half_b - a * c;
       if (discriminant < 0) continue;
       const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
       for (const double root : {q / a, c / q})
@@ -216,25 +214,28 @@ class InteriorPoint {
       sum += weight(b) * product;
       ++count;
     };
-    for (std::size_t b = 0; b < at_.size(); ++b) {
-      const ContactBlock& of = at_.block(b);
+    for (std::size_t b = 0; b < barrier_.size(); ++b) {
+      const ContactBlock& of = barrier_.block(b);
       const double along = part * normal_step(b);
-      if (at_.has_lo(of)) add(b, (at_.room_lo(of) + along) * (at_.push[b].lo + part * change_[b].lo));
-      if (at_.has_hi(of)) add(b, (at_.room_hi(of) - along) * (at_.push[b].hi + part * change_[b].hi));
-      if (!at_.rubs(of)) continue;
-      const double L = at_.limit(b) + at_.limit_rate(b) * along;
+      if (barrier_.has_lo(of))
+        add(b, (barrier_.room_lo(of) + along) * (barrier_.push(b).lo + part * change_[b].lo));
+      if (barrier_.has_hi(of))
+        add(b, (barrier_.room_hi(of) - along) * (barrier_.push(b).hi + part * change_[b].hi));
+      if (!barrier_.rubs(of)) continue;
+      const double L = barrier_.limit(b) + barrier_.limit_rate(b) * along;
       const Vec2 friction = problem_.friction(of) + part * friction_step(b);
-      add(b, (L * L - friction.squaredNorm()) / (L * of.mu) * (at_.push[b].slip + part * change_[b].slip));
+      add(b, (L * L - friction.squaredNorm()) / (L * of.mu) * (barrier_.push(b).slip + part * change_[b].slip));
     }
     return count > 0 ? sum / count : 0;
   }
 
   ConeProblem<Dof>& problem_;
-  ConeInterior<Dof> at_;  // the current point
+  double next_try_;           // of Newton's method [share of the right-hand side]
+  std::vector<double> best_;  // λ of the least residual
+  double least_ = infinity;   // that residual [m/s]
+  ConeBarrier<Dof> barrier_;  // the current point
   bool lagged_;
-  double pace_ = 1, next_try_ = 1e-3, last_swept_ = infinity;
-  double least_ = infinity;   // residual [m/s]
-  std::vector<double> best_;  // its λ
+  double pace_ = 1, last_swept_ = infinity;
   std::vector<double> step_;  // Δλ of each row
   std::vector<Push> change_;  // of the multipliers of each block
 };

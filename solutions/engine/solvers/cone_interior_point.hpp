@@ -17,7 +17,7 @@
 // With θ = 1 the limit follows the normal impulse within each Newton step. This problem has no energy that a solution
 // minimises, so at high friction steps may become too short. With θ = θ_μ/μ, θ_μ < 1, the other part of the limit is
 // lagged: it uses λ̄_n of the last Newton step. Each step then nearly minimises an energy. λ̄_n follows λ_n, but more
-// slowly while it oscillates.
+// slowly once it has oscillated.
 //
 //   C. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb friction problem via
 //   convex optimization, ZAMM 91 (2011): fixing the limit during a solve.

@@ -36,8 +36,8 @@ static double linearise_row(const Row<Dof>& row, double r, double softer, Contac
   return aim;
 }
 
-/// Sets K and k of a block whose rows start at `rows` and have the residuals `r` [m/s]. `light`: the load λ̂_n S_nn below
-/// which a contact is left to the sweeps [m/s].
+/// Sets K and k of a block whose rows start at `rows` and have the residuals `r` [m/s]. `light`: the load λ̂_n S_nn
+/// below which a contact is left to the sweeps [m/s].
 template <int Dof>
 static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, double light, ContactBlock& block) {
   const double aim = linearise_row(*rows, r[0], softer, block), limit = block.mu * aim;

@@ -37,8 +37,8 @@ class ConeSweeps {
   ConeSweeps(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
              std::vector<Twist<Dof>>& V, const std::vector<InverseMass<Dof>>& inverse_mass);
 
-  /// Updates the rows without cones in order, then the contacts: as sweep_on_cones does, to round-off. Returns the largest
-  /// S_kk |Δλ_k| or s |Δλ_t| [m/s].
+  /// Updates the rows without cones in order, then the contacts: as sweep_on_cones does, to round-off. Returns the
+  /// largest S_kk |Δλ_k| or s |Δλ_t| [m/s].
   double sweep();
 
   /// Returns √S_kk λ_k of each row, so that the square of a change is Σ S_kk Δλ_k².

@@ -98,11 +98,6 @@ int moving_bodies(const std::vector<Row<Dof>>& rows) {
   return count;
 }
 
-template <int Dof>
-bool is_bounded(const Row<Dof>& row) {
-  return std::isfinite(row.lo) || std::isfinite(row.hi);
-}
-
 /// Tells whether so many velocities are the cheaper unknowns. Rows with bounds count twice, since their bounds cost
 /// factorisations over rows.
 template <int Dof>
@@ -188,7 +183,8 @@ double count_on_rows(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_b
   return multiplications(unknowns, pairs);
 }
 
-/// Returns a lower bound of the multiplications of factors over rows: all rows on one body are neighbours of each other.
+/// Returns a lower bound of the multiplications of factors over rows: all rows on one body are neighbours of each
+/// other.
 double least_on_rows(const RowsOnBodies& on_bodies) {
   std::size_t most = 0;
   for (int body = 0; body < std::ssize(on_bodies); ++body) most = std::max(most, on_bodies[body].size());

@@ -16,9 +16,9 @@ template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows);
 
 /// An upper bound of the cost of factors of one island, in sweeps of its rows. The width of the island gives one bound.
-/// If it exceeds `affordable`, the multiplications are counted, in the order of engine/linear/elimination.hpp: a grid is
-/// wide, and yet its factors are cheap. Islands with a bounded row are not counted, since they take many factors, nor are
-/// those in which the rows on one body alone cost more than is affordable.
+/// If it exceeds `affordable`, the multiplications are counted, in the order of engine/linear/elimination.hpp: a grid
+/// is wide, and yet its factors are cheap. Islands with a bounded row are not counted, since they take many factors,
+/// nor are those in which the rows on one body alone cost more than is affordable.
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows, double affordable = infinity);
 
@@ -26,8 +26,8 @@ double factor_cost(const std::vector<Row<Dof>>& rows, double affordable = infini
 template <int Dof>
 double velocity_factor_cost(const std::vector<Row<Dof>>& rows);
 
-/// The same cost, with multiplications counted in the order of engine/linear/elimination.hpp. In pyramids and heaps it is
-/// a tenth of the bound or less, but counting takes as long as some sweeps.
+/// The same cost, with multiplications counted in the order of engine/linear/elimination.hpp. In pyramids and heaps it
+/// is a tenth of the bound or less, but counting takes as long as some sweeps.
 template <int Dof>
 double counted_velocity_factor_cost(const std::vector<Row<Dof>>& rows);
 

@@ -1,5 +1,6 @@
 #pragma once
 // Islands: groups of rows that are coupled through dynamic bodies. Islands are independent of each other.
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +17,12 @@ bool moves_i(const Row<Dof>& row) {
 template <int Dof>
 bool moves_j(const Row<Dof>& row) {
   return !row.MinvGj.isZero(0);
+}
+
+/// Tells whether the row has a bound.
+template <int Dof>
+bool is_bounded(const Row<Dof>& row) {
+  return std::isfinite(row.lo) || std::isfinite(row.hi);
 }
 
 /// The rows of each island, in order; islands are in the order of their first row. A row without a dynamic body is an

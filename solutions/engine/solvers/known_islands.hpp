@@ -1,5 +1,6 @@
 #pragma once
-// The islands of a world, with what their solution needs: kept from step to step, as long as rows act on the same bodies.
+// The islands of a world, with what their solution needs: kept from step to step, as long as rows act on the same
+// bodies.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -72,8 +73,7 @@ class KnownIslands {
  public:
   std::span<std::unique_ptr<Island<Dof>>> of(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
     const auto kind_of = [](const Row<Dof>& row) -> Kind {
-      const bool bounded = std::isfinite(row.lo) || std::isfinite(row.hi);
-      return {moves_i(row) ? row.i : -1, moves_j(row) ? row.j : -1, bounded};
+      return {moves_i(row) ? row.i : -1, moves_j(row) ? row.j : -1, is_bounded(row)};
     };
     const auto alike = [&](const Row<Dof>& row, const Kind& kind) { return kind_of(row) == kind; };
     if (bodies_ != bodies || !std::equal(rows.begin(), rows.end(), kinds_.begin(), kinds_.end(), alike)) {

@@ -5,8 +5,8 @@
 //   interleaved   rows of two halves alternate, so updates wait less for each other    Eq. (14.13)
 //
 // The height of a joint is that of the middle of its two points; the height of a contact is that of its point on body
-// j. All rows of a joint or contact are consecutive. A history entry is the result of a sweep. Keeps the generator of
-// random orders.
+// j, and a row that resists rolling has that of body j. All rows of a joint or contact are consecutive. A history entry
+// is the result of a sweep. Keeps the generator of random orders.
 #include <random>
 #include <sstream>
 
@@ -22,6 +22,8 @@ static std::vector<double> heights(const SolverInput<Dof>& s, const Vec3& up) {
     const Attachment i = attachment(joint.i, joint.p_i, s.bodies), j = attachment(joint.j, joint.p_j, s.bodies);
     all.insert(all.end(), static_cast<std::size_t>(joint.rows()), up.dot(i.x + i.r + j.x + j.r) / 2);
   }
+  for (std::size_t k = s.constraints.joint_rows(); k < s.constraints.first_contact_row; ++k)
+    all.push_back(up.dot(s.bodies.x[static_cast<std::size_t>(s.rows()[k].j)]));
   for (const Contact& contact : s.contacts)
     all.insert(all.end(), s.constraints.rows_per_contact,
                up.dot(s.bodies.x[static_cast<std::size_t>(contact.j)] + contact.r_j));

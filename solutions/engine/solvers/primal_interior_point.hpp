@@ -12,8 +12,8 @@
 namespace spook {
 
 /// Solves the rows within their bounds; updates their λ, and V. The initial λ give the order of magnitude of the
-/// impulses. All rows must have Σ > 0. Appends the residual of Eq. (4.8) after each factorisation to the history. The
-/// report has not converged if stop.max_sweeps factorisations do not suffice, or if a pivot fails Eq. (11.4).
+/// impulses. All rows must have Σ > 0. The history has the residual of Eq. (4.8) after each factorisation. The report
+/// has not converged if stop.max_sweeps factorisations do not suffice, or if a pivot fails Eq. (11.4).
 template <int Dof>
 SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& velocity_system,
                                   std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors);

@@ -99,8 +99,8 @@ struct NamedSolver {
   std::string name;
   std::string summary;
   std::string iteration;  ///< name of one iteration, to which a history entry belongs
-  /// Creates the solver with empty caches, and with friction on the box. Throws std::invalid_argument if the solver does
-  /// not support such bodies.
+  /// Creates the solver with empty caches, and with friction on the box. Throws std::invalid_argument if the solver
+  /// does not support such bodies.
   Solver<Dof> (*make_on_box)();
   /// Creates the solver with friction on Coulomb's cones; null if it has no such version.
   Solver<Dof> (*make_on_cones)();
@@ -109,7 +109,8 @@ struct NamedSolver {
   Solver<Dof> (*make_to)(FrictionModel model, double accuracy) = nullptr;
 };
 
-/// All solvers without an inner solver. The default of a world is automatic(), "auto". The names do not depend on Dof.
+/// The solvers that have a name; two_pass and ordered_gauss_seidel are functions only. The default of a world is
+/// automatic(), "auto". The names do not depend on Dof.
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers();
 

@@ -41,8 +41,10 @@ Few residuals(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& 
 template <int Dof>
 void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    rows[k].lambda = std::clamp(rows[k].lambda + more[k], rows[k].lo, rows[k].hi);
-    apply_impulse(rows[k], more[k], V);
+    const double before = rows[k].lambda, after = before + more[k];
+    rows[k].lambda = std::clamp(after, rows[k].lo, rows[k].hi);
+    // Without a bound in the way: more[k] itself, since the difference has the round-off of λ.
+    apply_impulse(rows[k], rows[k].lambda == after ? more[k] : rows[k].lambda - before, V);
   }
 }
 

@@ -102,6 +102,7 @@ class Attempts {
       keep(problem_.residual());
       if (is_enough()) break;
       if (newton(factorisations)) return true;
+      keep(problem_.residual());
       problem_.set_impulses(swept);
     }
     return end_with_best();

@@ -3,8 +3,8 @@
 //
 //   a sweep          from the current λ: bodies at rest are solved by it
 //   Newton           engine/solvers/cone_newton.hpp, as long as the residual falls
-//   interior point   engine/solvers/cone_interior_point.hpp, near the best λ so far. w is 3, 30, 300 times the residual;
-//                    or once |B|/10, if the residual exceeds |B|/1000
+//   interior point   engine/solvers/cone_interior_point.hpp, near the best λ so far. w is 3, 30, 300 times the
+//                    residual; or once |B|/10, if the residual exceeds |B|/1000
 //   Newton           now, if not before
 //   interior point   from inside
 //   sweeps           accelerated, Eq. (10.14), from the best λ so far; only if 1e-4 of the largest |B| is enough
@@ -17,8 +17,8 @@ namespace spook {
 
 /// Limits of the attempts.
 struct ConeEffort {
-  /// Tries Newton's method before the interior point. If false, only where a tenth of the contacts is light, next to the
-  /// tips of their cones: there it takes fewer factorisations, and elsewhere more.
+  /// Tries Newton's method before the interior point. If false, only where a tenth of the contacts is light, next to
+  /// the tips of their cones: there it takes fewer factorisations, and elsewhere more.
   bool newton_first = true;
   int most = 300;  ///< factorisations
   /// The residual, over the largest |B|, at which no further method is tried once one interior-point attempt has ended.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "10_convergence/convergence.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -55,10 +56,8 @@ SolverResult merge_parallel(SolverResult one, const SolverResult& other) {
   SolveReport& all = one.report;
   one.row_updates += other.row_updates;
   all.history.resize(std::max(all.history.size(), other.report.history.size()), 0);
-  for (std::size_t k = 0; k < other.report.history.size(); ++k) {
-    const double entry = other.report.history[k];
-    if (std::isnan(entry) || entry > all.history[k]) all.history[k] = entry;
-  }
+  for (std::size_t k = 0; k < other.report.history.size(); ++k)
+    all.history[k] = larger(all.history[k], other.report.history[k]);
   all.converged = all.converged && other.report.converged;
   add_trouble(other.report, all);
   return one;

@@ -1,13 +1,14 @@
-// The solver "spatial_decomposition": projected Gauss-Seidel on several threads, in stripes: engine/constraints/stripes.hpp.
+// The solver "spatial_decomposition": projected Gauss-Seidel on several threads, in stripes:
+// engine/constraints/stripes.hpp.
 //
 // Within a stripe rows are interleaved, Eq. (14.13). A history entry is the result of a sweep. Has no cache.
-#include <cmath>
 #include <utility>
 
 #include "10_convergence/convergence.hpp"
 #include "14_fast_rows/fast_rows.hpp"
 #include "engine/constraints/stripes.hpp"
 #include "engine/solvers/registry.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -80,8 +81,7 @@ SolverResult solve_in_stripes(const SolverInput<Dof>& s) {
     if (++round < rounds) return true;
     round = 0;
     double most = 0;
-    for (const double one : lacked)
-      if (std::isnan(one) || one > most) most = one;
+    for (const double one : lacked) most = larger(most, one);
     report.history.push_back(most);
     report.converged = most <= s.stop.tolerance;
     return !report.converged && std::ssize(report.history) < s.stop.max_sweeps;

@@ -11,11 +11,23 @@
 
 namespace spook {
 
+/// Gives all friction rows bounds of 0.
+template <int Dof>
+static void release_friction(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
+                             std::vector<Twist<Dof>>& V) {
+  for (const FrictionContact& contact : contacts)
+    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
+      if (rows[k].lambda != 0) apply_impulse(rows[k], -rows[k].lambda, V);
+      rows[k].lambda = rows[k].lo = rows[k].hi = 0;
+    }
+}
+
 template <int Dof>
 struct TwoPasses {
   Solver<Dof> inner;
 
   SolverResult operator()(const SolverInput<Dof>& s) const {
+    release_friction(s.constraints.friction, s.rows(), s.V);  // a second solve has the limits of the first
     SolverResult first = inner.solve(s);
     if (s.constraints.friction.empty()) return first;
     limit_friction(s.constraints.friction, s.rows());  // Eq. (9.1)

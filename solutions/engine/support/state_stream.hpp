@@ -35,7 +35,8 @@ class StateStream {
   /// Writes a count, or throws std::invalid_argument, naming the count, if it differs from the one that was written.
   void require_same(const std::string& name, std::size_t count);
 
-  /// Writes a hash, or throws std::invalid_argument, naming what was hashed, if it differs from the one that was written.
+  /// Writes a hash, or throws std::invalid_argument, naming what was hashed, if it differs from the one that was
+  /// written.
   void require_same_hash(const std::string& name, std::size_t hash);
 
   std::size_t unread_bytes() const { return unread_.size(); }

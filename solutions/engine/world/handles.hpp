@@ -1,9 +1,9 @@
 #pragma once
-// Handles of bodies and joints: numbers from 0 on that stay valid when others are removed. Indices of later ones then
-// decrease.
+// Handles of bodies and joints: numbers, from 0 on, that stay valid when other bodies or joints are removed. Indices do
+// not: those of later ones decrease.
 //
-// A program may keep data on each body in a vector of its own, indexed by handles. A world without
-// handles pays nothing for them.
+// A program may keep data on each body in a vector of its own, indexed by handles. A world without handles pays nothing
+// for them.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,8 +52,8 @@ class HandleList {
   std::vector<int> indices_;  // by handle
 };
 
-/// The handles of a world's bodies and joints. Remove bodies and joints by it, not by the world. A copy of the world needs
-/// a copy of the handles: if you assign the one to go back to an earlier step, assign the other, too.
+/// The handles of a world's bodies and joints. Remove bodies and joints by it, not by the world. A copy of the world
+/// needs a copy of the handles: if you assign the one to go back to an earlier step, assign the other, too.
 template <int Dof>
 class Handles {
  public:

@@ -21,7 +21,7 @@ static bool are_dynamic_finite(const Bodies<Dof>& bodies) {
 template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
-  require_directions(h);
+  require_directions(steps_ + 1, time_ + h);
   ++steps_;
   try {
     take_step(h);
@@ -30,7 +30,8 @@ void World<Dof>::step(double h) {
   } catch (...) {
     // Bodies that are not finite are no error of the caller.
     if (!are_dynamic_finite(bodies_)) require_finite_bodies();
-    --steps_;  // a step that a velocity function or a check ends does not count
+    --steps_;                    // a step that a velocity function or a check ends does not count
+    forget_contacts_and_rows();  // one may be of this step, and the other of the last
     throw;
   }
 }
@@ -62,6 +63,7 @@ void World<Dof>::take_step(double h) {
 template <int Dof>
 void World<Dof>::step_part(double h) {
   solved_ = {.history = {}, .converged = true};
+  require_directions(steps_, time_ + h);
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
@@ -93,14 +95,13 @@ void World<Dof>::step_elsewhere(double h) {
 }
 
 template <int Dof>
-void World<Dof>::require_directions(double h) const {
+void World<Dof>::require_directions(std::int64_t step, double time) const {
   for (const Joint& joint : joints_) {
     if (!joint.length) continue;
     const double apart = distance(joint, bodies_);
     if ((apart > 0 || joint.kind == JointKind::rope) && std::isfinite(apart)) continue;
     const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
-    throw SimulationDiverged(steps_ + 1, time_ + h, joint.j,
-                             "is at " + where + " of the body that it is joined to");
+    throw SimulationDiverged(step, time, joint.j, "is at " + where + " of the body that it is joined to");
   }
 }
 
@@ -121,27 +122,30 @@ template <int Dof>
 void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
+  torques_.assign(Dof == 6 && settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
   if (settings_.wrench) add_wrenches();
   if (!kinematic_.empty()) update_kinematic_velocities(h);
   if (!contacts_.empty() || !joints_.empty() || settings_.soft_steps) prepare_motion(h);
 }
 
-/// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body with rows
-/// does not change, since load and constraint forces cancel.
+/// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body on which a
+/// row acts does not change, since load and constraint forces cancel.
 template <int Dof>
 void World<Dof>::shift_to_step(double h) {
-  if (!rows().empty() && V_.size() != bodies_.size()) return;  // bodies were added or removed
+  std::vector<bool> is_held(bodies_.size(), false);
+  for (const Row<Dof>& row : rows())
+    if (row.lambda != 0) is_held[row.i] = is_held[row.j] = true;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_.is_fixed(i) || (!rows().empty() && V_[i] != Twist<Dof>::Zero())) continue;
-    const Vec3 v = bodies_.motion.W[i].template head<3>();
+    if (bodies_.is_fixed(i) || is_held[i]) continue;
+    Twist<Dof>& W = bodies_.motion.W[i];
     const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
-    bodies_.motion.W[i].template head<3>() = half_step_start(v, forces_[i], inverse_mass, h - h_);
+    W.template head<3>() = half_step_start(W.template head<3>(), forces_[i], inverse_mass, h - h_);
+    if constexpr (Dof == 6) W.template tail<3>() += turned_by_torques(i, W.template tail<3>(), (h_ - h) / 2);
   }
 }
 
 template <int Dof>
 void World<Dof>::add_wrenches() {
-  if constexpr (Dof == 6) torques_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.is_fixed(i)) continue;
     const Twist<Dof> wrench = settings_.wrench(i, bodies_, time_);
@@ -235,14 +239,16 @@ void World<Dof>::set_default_stiffness(double h) {
 /// Overwrites the contact rows of the last step, since those of a large pile take many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
-  constraints_.first_contact_row = 0;
+  constraints_.first_contact_row = constraints_.resistance_rows = 0;
   if (!joints_.empty() || materials_.resist()) {
     constraints_.rows.clear();
     add_joint_rows(joints_, h, bodies_, constraints_.rows, least_relaxation(h));
+    const std::size_t of_joints = rows().size();
     if constexpr (Dof == 6)
       if (materials_.resist())
         add_resistance_rows(contacts_, h, materials_, start_, bodies_.motion, constraints_.rows);
     constraints_.first_contact_row = rows().size();
+    constraints_.resistance_rows = rows().size() - of_joints;
   }
   const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,

@@ -85,9 +85,9 @@ struct Settings {
   double friction = 0;      ///< μ; 0: no friction rows
   double viscosity = 1e12;  ///< of sticking contacts, c of Eq. (5.4) [N s/m]; may be infinite
   /// Restitution and friction of impacts. The threshold is increased by |gravity| h, which gravity adds in a step. If h
-  /// is below √(2 m/k), it is increased by the larger one of two other speeds instead: |gravity| √(2 m/k), of a bounce as
-  /// high as the sag of the contact, and F/√(k m), which a contact with the force F can give to its two bodies. Default:
-  /// no impacts.
+  /// is below √(2 m/k), it is increased by the larger one of two other speeds instead: |gravity| √(2 m/k), of a bounce
+  /// as high as the sag of the contact, and F/√(k m), which a contact with the force F can give to its two bodies. Soft
+  /// steps increase it by |gravity| h alone. Default: no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< first tangent along the slip, Eq. (9.2)
   /// A solver of engine/solvers/registry.hpp, or your own. The solver also selects the friction model. Default: factors
@@ -97,8 +97,9 @@ struct Settings {
   /// of the residual, Eq. (10.12).
   bool warm_start = false;
   /// Largest gap of a contact [m]: within it a slightly open contact keeps its row and its impulse. Default: |gravity|
-  /// h², or a hundredth of the smallest shape's size if that is less. In both cases 1e-9 of that size is added, so that
-  /// round-off cannot drop a touching contact.
+  /// h², or a hundredth of the smallest shape's size if that is less; in soft steps what bodies can close in a step, or
+  /// a tenth of that size if this is less. In all cases 1e-9 of the size is added, so that round-off cannot drop a
+  /// touching contact.
   std::optional<double> contact_margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< update rule for orientations
   /// Order of the integrator: 2 is leapfrog; 4 is composed of five leapfrogs, engine/integration/rattle.hpp. At order 4
@@ -182,8 +183,8 @@ class World {
 
   /// Sets the material of a body, or of the contact of two bodies. engine/bodies/materials.hpp combines the materials
   /// of two bodies. All other pairs have the restitution of the impact law. Once any material is set, impacts have
-  /// `Settings::friction`, and not the friction of the impact law. Throws std::invalid_argument for numbers out of range,
-  /// and for resistance to rolling or torsion of point masses, in soft steps, and with integrator_order 4.
+  /// `Settings::friction`, and not the friction of the impact law. Throws std::invalid_argument for numbers out of
+  /// range, and for resistance to rolling or torsion of point masses, in soft steps, and with integrator_order 4.
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
 
@@ -242,8 +243,8 @@ class World {
   /// Gives a body an impulse through its centre [N s].
   void apply_central_impulse(int body, const Vec3& impulse);
 
-  /// Copies the time of `other`, and positions and velocities of the bodies that are dynamic in both worlds or kinematic
-  /// in this one. If both worlds have as many joints, rows start with the impulses of `other`.
+  /// Copies the time of `other`, and positions and velocities of the bodies that are dynamic in both worlds or
+  /// kinematic in this one. If both worlds have as many joints, rows start with the impulses of `other`.
   void take_state_from(const World& other);
 
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
@@ -298,8 +299,8 @@ class World {
   /// contact acts on the body, it is the stored velocity. Throws std::invalid_argument if h is negative.
   Vec3 synchronized_velocity(int body, double h) const;
 
-  /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and the
-  /// gyroscopic torque if the rotation rule treats it as a torque.
+  /// The angular velocity at the time of the position [rad/s], in the same way. Includes the torque of `wrench`, and
+  /// the gyroscopic torque if the rotation rule treats it as a torque.
   Vec3 synchronized_angular_velocity(int body, double h) const requires(Dof == 6);
 
   /// The contacts of the last step; the normal impulse of a contact [N s]; its whole impulse on body j, friction
@@ -327,15 +328,15 @@ class World {
   double joint_speed(int joint) const requires(Dof == 6);
 
   /// The torque or force of the motor, the limit, or the spring of a hinge or slider on body j in the last step, along
-  /// the free coordinate [N m or N]. A motor that drives into its limit has its strength, and the limit has the remainder;
-  /// if the strength is infinite, the motor has what brakes it. Zero before the first step, and without a motor, limit or
-  /// spring.
+  /// the free coordinate [N m or N]. A motor that drives into its limit has its strength, and the limit has the
+  /// remainder; if the strength is infinite, the motor has what brakes it. Zero before the first step, and without a
+  /// motor, limit or spring.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
   double spring_force(int joint) const requires(Dof == 6);
 
-  /// The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J]: what velocities
-  /// go on with. Where bodies recover, it is not that of the forces above, which also move them back.
+  /// The work of motors, springs and kinematic bodies in the last step, without that of impacts [J]: on the velocities
+  /// with which bodies go on. Where bodies recover, the forces above also move them back; that work is not included.
   double work_of_drives() const { return work_of_drives_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
@@ -451,12 +452,15 @@ class World {
 
   Vec3 force(std::size_t i) const;
   void note_start(const char* how, double h);
+  bool erase_separating_contacts();
+  int keep_if_allowed(int body);
   void forget_the_last_step();
+  void forget_contacts_and_rows();
   Twist<Dof> change_by_forces(std::size_t i, double h) const;
   void prepare_motion(double h);
   template <class Work>
   void for_each_body(const Work& work);
-  void require_directions(double h) const;
+  void require_directions(std::int64_t step, double time) const;
   void count_turns();
   void complete(Joint& joint) const;
   const Joint& free_joint(int joint) const;
@@ -503,6 +507,7 @@ class World {
   int pairs_ = 0;
   std::vector<Impact> impacts_;  // of the last step
   bool half_step_back_ = false;
+  bool wrench_checked_ = false;  // that it does not depend on velocities, at order 4
   std::int64_t row_updates_ = 0;
   ScratchCache<RattleJoints<Dof>> rattle_joints_;  // joints of steps that are composed
   std::vector<Vec3> force_impulses_;               // of the forces, in one of them [N s]

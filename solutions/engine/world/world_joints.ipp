@@ -147,10 +147,22 @@ void World<Dof>::forget_the_last_step() {
     joint_rows_.push_back(next_joint_row_);
     next_joint_row_ += static_cast<std::size_t>(joint.rows());
   }
-  constraints_.clear();
-  contacts_.clear();
+  forget_contacts_and_rows();
   impacts_.clear();
+  forces_.clear();
+  torques_.clear();
+  V_.clear();
+  solved_ = {.history = {}, .converged = true};
+  pairs_ = 0;
+  work_of_drives_ = 0;
   start_ = {};
+}
+
+template <int Dof>
+void World<Dof>::forget_contacts_and_rows() {
+  contacts_.clear();
+  constraints_.clear();
+  recovered_.clear();
 }
 
 template <int Dof>
@@ -163,7 +175,7 @@ const Row<Dof>* World<Dof>::joint_row(int joint, int row) const {
   const std::size_t j = joint_index(joint);
   if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
   const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
-  return r < constraints_.first_contact_row ? &rows()[r] : nullptr;  // a new joint had no rows
+  return r < constraints_.joint_rows() ? &rows()[r] : nullptr;  // a new joint had no rows
 }
 
 template <int Dof>
@@ -178,7 +190,7 @@ Vec3 World<Dof>::joint_force(int joint) const {
   Vec3 impulse = Vec3::Zero();
   for (int k = 0; k < joints_[j].rows(); ++k) {
     const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
-    if (row < constraints_.first_contact_row) impulse += rows()[row].lambda * rows()[row].Gj.template head<3>();
+    if (row < constraints_.joint_rows()) impulse += rows()[row].lambda * rows()[row].Gj.template head<3>();
   }
   return h_ > 0 ? Vec3(impulse / h_) : impulse;
 }

@@ -5,7 +5,8 @@ namespace spook {
 
 template <int Dof>
 void World<Dof>::step_composed(double h) {
-  if (steps_ == 1) require_wrench_of_positions();
+  if (!wrench_checked_) require_wrench_of_positions();
+  wrench_checked_ = true;
   constraints_.rows.clear();
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();
@@ -17,6 +18,7 @@ void World<Dof>::step_composed(double h) {
   for (const double share : parts_of_order_four()) {
     const double part = share * h;
     clock_.run(Stage::forces, [&] { kick_all((before + part) / 2, now); });
+    require_directions(steps_, now);
     clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, constraints_.rows, solved_); });
     clock_.run(Stage::solve, [&] {
       held.drift(joints_, part, settings_.solver_limits, settings_.rotation, constraints_.rows, bodies_,
@@ -26,9 +28,11 @@ void World<Dof>::step_composed(double h) {
     before = part;
   }
   clock_.run(Stage::forces, [&] { kick_all(before / 2, now); });
+  require_directions(steps_, now);
   clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, constraints_.rows, solved_); });
   clock_.run(Stage::solve, [&] { held.stop(constraints_.rows, bodies_); });
   constraints_.first_contact_row = rows().size();
+  constraints_.resistance_rows = 0;
   forces_.resize(bodies_.size());
   torques_.resize(torque_impulses_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force_impulses_[i] / h;

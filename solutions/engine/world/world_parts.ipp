@@ -25,8 +25,8 @@ void World<Dof>::divide_steps(double h, bool divides) {
     parts_ = settings_.soft_steps->substeps;
     return;
   }
-  if (!divides) return;
-  const double needed = rows().empty() ? parts_needed_at_first(h) : parts_per_second_ * h;
+  if (!divides && parts_ == 1) return;
+  const double needed = !divides ? 1 : rows().empty() ? parts_needed_at_first(h) : parts_per_second_ * h;
   const int parts = rounded_up(needed, settings_.max_parts);
   calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;
   if (parts > parts_) parts_ = parts;
@@ -100,7 +100,7 @@ double World<Dof>::least_relaxation(double h) const {
 }
 
 /// Finds the forces of joints before the first step, by a solve without a motion, and returns the number of parts that
-/// they need. The world is as before.
+/// they need. Bodies, warm start and time are as before.
 template <int Dof>
 double World<Dof>::parts_needed_at_first(double h) {
   const double last_h = h_;

@@ -9,9 +9,8 @@ namespace spook {
 
 /// Throws std::invalid_argument if friction would have no bound although a force may press bodies together.
 template <int Dof>
-static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
-  const bool boxed =
-      settings.friction > 0 && settings.solver.friction == FrictionModel::box && !settings.soft_steps;
+static void require_weight_in_box(const Settings<Dof>& settings, bool forced, bool rubs) {
+  const bool boxed = rubs && settings.solver.friction == FrictionModel::box && !settings.soft_steps;
   if (boxed && forced && settings.gravity.isZero(0))
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
@@ -56,15 +55,28 @@ World<Dof>::World(Settings<Dof> settings)
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   require_soft_alone(settings_);
   require_for_order_four();
-  require_weight_in_box(settings_, settings_.force || settings_.wrench);
+  require_weight_in_box(settings_, settings_.force || settings_.wrench, settings_.friction > 0);
+}
+
+/// Returns the number of a body that was just added. If steps of order four do not allow the body, removes it and
+/// throws.
+template <int Dof>
+int World<Dof>::keep_if_allowed(int body) {
+  try {
+    require_for_order_four();
+  } catch (...) {
+    bodies_.remove(index(body));
+    shapes_.remove(body);
+    throw;
+  }
+  return body;
 }
 
 template <int Dof>
 int World<Dof>::add(const Body<Dof>& body) {
   const int i = bodies_.add(body);
   shapes_.add(i, shape_of(body), false);
-  require_for_order_four();
-  return i;
+  return keep_if_allowed(i);
 }
 
 template <int Dof>
@@ -72,8 +84,7 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   require_not_negative("radius", radius);
   const int i = bodies_.add_fixed(x);
   if (radius > 0) shapes_.add(i, Sphere{radius}, true);
-  require_for_order_four();
-  return i;
+  return keep_if_allowed(i);
 }
 
 // `if constexpr` below, though `requires` says the same: clang before 16 compiles these for point masses, too.
@@ -93,8 +104,7 @@ int World<Dof>::add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requ
   const int i = bodies_.add_fixed(x);
   if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
   shapes_.add(i, shape, true);
-  require_for_order_four();
-  return i;
+  return keep_if_allowed(i);
 }
 
 template <int Dof>
@@ -103,8 +113,7 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   require_finite("offset", offset);
   const int i = bodies_.add_fixed(offset * n);
   shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
-  require_for_order_four();
-  return i;
+  return keep_if_allowed(i);
 }
 
 template <int Dof>
@@ -146,6 +155,7 @@ template <int Dof>
 void World<Dof>::set_material(int body, const Material& material) {
   if (settings_.soft_steps) require_no_spring(material);
   require_no_resistance(settings_, material);
+  require_weight_in_box(settings_, settings_.force || settings_.wrench, material.friction.value_or(0) > 0);
   materials_.set(static_cast<int>(index(body)), material);
 }
 
@@ -154,6 +164,7 @@ void World<Dof>::set_material(int i, int j, const Material& material) {
   if (index(i) == index(j)) reject("j", j, "another body than i");
   if (settings_.soft_steps) require_no_spring(material);
   require_no_resistance(settings_, material);
+  require_weight_in_box(settings_, settings_.force || settings_.wrench, material.friction.value_or(0) > 0);
   materials_.set(i, j, material);
 }
 
@@ -193,8 +204,9 @@ void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof =
 
 template <int Dof>
 void World<Dof>::set_wrench(Wrench<Dof> wrench) {
-  require_weight_in_box(settings_, settings_.force || wrench);
+  require_weight_in_box(settings_, settings_.force || wrench, materials_.rub());
   settings_.wrench = std::move(wrench);
+  wrench_checked_ = false;
 }
 
 template <int Dof>
@@ -230,11 +242,14 @@ void World<Dof>::take_state_from(const World& other) {
     if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
   }
   time_ = other.time_;
+  if (settings_.integrator_order == other.settings_.integrator_order)
+    h_ = other.h_;  // velocities lag by half of it
   place_on_keyframes();
   if (joints_.size() != other.joints_.size()) return;
   start_ = other.start_;
   for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;
-  for (std::size_t n = 0; n < joints_.size(); ++n) joints_[n].recovered = other.joints_[n].recovered;
+  for (std::size_t n = 0; n < joints_.size(); ++n)
+    joints_[n].recovered = !settings_.soft_steps && other.joints_[n].recovered;
 }
 
 template <int Dof>

@@ -29,7 +29,10 @@ void World<Dof>::step_softly(double h) {
   clock_.run(Stage::rows, [&] { build_soft_contacts(h_part); });
   note_approaches(h);
   for (int part = 0; part < parts_; ++part) {
-    if (part > 0) clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+    if (part > 0) {
+      require_directions(steps_, time_ + h_part);
+      clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+    }
     integrate_velocities();
     clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
     clock_.run(Stage::solve, [&] { sweep_soft_rows(h_part); });
@@ -52,9 +55,16 @@ template <int Dof>
 void World<Dof>::find_contacts_on_the_way(double h) {
   contacts_.clear();
   if (!shapes_.may_touch()) return;
-  double fastest = 0;
-  for (const Twist<Dof>& W : bodies_.motion.W) fastest = std::max(fastest, W.template head<3>().squaredNorm());
-  const double way = h * (2 * std::sqrt(fastest) + h * settings_.gravity.norm());
+  if (!kinematic_.empty()) update_kinematic_velocities(h / parts_);
+  double fastest = 0;  // of the points of all bodies
+  for (const Twist<Dof>& W : bodies_.motion.W) fastest = std::max(fastest, W.template head<3>().norm());
+  if constexpr (Dof == 6)
+    for (const Solid& solid : shapes_.solids) {
+      const Twist<Dof>& W = bodies_.motion.W[solid.body];
+      fastest =
+          std::max(fastest, W.template head<3>().norm() + W.template tail<3>().norm() * reach_of(solid.shape));
+    }
+  const double way = h * (2 * fastest + h * settings_.gravity.norm());
   const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
   const double margin = settings_.contact_margin.value_or(std::min(way, 0.1 * size) + 1e-9 * size);
   pairs_ = finder_.find(shapes_, bodies_, margin, contacts_, settings_.threads);
@@ -65,6 +75,7 @@ template <int Dof>
 void World<Dof>::build_soft_contacts(double h) {
   set_default_stiffness(h);
   constraints_.first_contact_row = next_joint_row_;
+  constraints_.resistance_rows = 0;
   const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = FrictionModel::cone,
@@ -95,8 +106,8 @@ void World<Dof>::integrate_velocities() {
   for_each_body([&](std::size_t i) { W[i] += bodies_.motion.Wf[i]; });
 }
 
-/// Builds the rows of joints where they are now, with their λ of the last substep. They are built without velocities, so
-/// that B is -a g, or the speed of a motor.
+/// Builds the rows of joints where they are now, with their λ of the last substep. They are built without velocities,
+/// so that B is -a g, or the speed of a motor.
 template <int Dof>
 void World<Dof>::build_soft_joints(double h) {
   if (joints_.empty()) return;
@@ -197,7 +208,7 @@ void World<Dof>::note_approaches(double h) {
   }
 }
 
-/// Newton's law for contacts that approached and pressed: u' = -e u, Eq. (7.3). Their λ stays that of the last substep.
+/// Newton's law for contacts that approached and pressed: u' = -e u, Eq. (7.2). Their λ stays that of the last substep.
 template <int Dof>
 void World<Dof>::restitute() {
   for (const auto& [c, speed] : approaches_) {

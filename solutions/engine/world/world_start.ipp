@@ -74,6 +74,17 @@ static std::vector<bool> rows_of_drives(const std::vector<Joint>& joints, std::s
   return drives;
 }
 
+/// Erases the contacts whose rows separate: they have no force. Returns whether there are any.
+template <int Dof>
+bool World<Dof>::erase_separating_contacts() {
+  const std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  std::size_t c = 0;
+  return std::erase_if(contacts_, [&](const Contact&) {
+           const Row<Dof>& row = rows()[constraints_.normal_row(c++)];
+           return row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]) > 0;
+         }) > 0;
+}
+
 template <int Dof>
 void World<Dof>::start_consistently(double h) {
   note_start("start_consistently", h);
@@ -83,6 +94,7 @@ void World<Dof>::start_consistently(double h) {
   prepare_motion(h);
   set_default_stiffness(h);
   build_rows(h);
+  if (erase_separating_contacts()) build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
   const std::vector<bool> drives = rows_of_drives(joints_, rows().size());
@@ -96,7 +108,7 @@ void World<Dof>::start_consistently(double h) {
     if (constraints_.is_friction(k))
       row.B -= along(motion.W);  // friction opposes slip
     else if (row.lo == 0 && along(motion.W) > 0)
-      row.hi = 0;  // a separating contact has no force
+      row.hi = 0;  // a limit that its joint leaves has no force
   }
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (constraints_.friction.empty()) {
@@ -151,7 +163,7 @@ Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const require
   if constexpr (Dof == 6) {
     const auto by_joints = half_change_by_joints(i);
     if (settings_.integrator_order == 4 || !by_joints) return omega;
-    const double lag = velocity_lag(h);
+    const double lag = h / parts_ / 2;
     Vec3 now = omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, lag);
     if (settings_.wrench && !bodies_.is_fixed(i)) {
       const Vec3 torque = settings_.wrench(i, bodies_, time_).template tail<3>();

@@ -46,9 +46,9 @@ std::size_t hash_of_build(const World<Dof>& world) {
     if constexpr (Dof == 6) add(bodies.orientations.principal[i]);
     match(shapes[i], [&](const auto& shape) { std::apply(add, shape.numbers()); });
   }
-  for (const Plane& plane : world.shapes().planes) add(plane.body);
+  for (const Plane& plane : world.shapes().planes) add(plane.body, plane.n, plane.offset);
   for (const Joint& joint : world.joints())
-    add(joint.kind, joint.i, joint.j, joint.p_i, joint.p_j, joint.length, joint.axis);
+    add(joint.kind, joint.i, joint.j, joint.p_i, joint.p_j, joint.length, joint.axis, joint.rest);
   const Settings<Dof>& settings = world.settings();
   add(settings.gravity, settings.friction, settings.viscosity, settings.k, settings.d,
       settings.integrator_order);
@@ -74,8 +74,8 @@ void World<Dof>::state(StateStream& s) {
   double stiffness = materials_.stiffness();
   s(stiffness);
   materials_.set_stiffness(stiffness);
-  s(contacts_, constraints_.rows, constraints_.first_contact_row, constraints_.rows_per_contact,
-    constraints_.friction);
+  s(contacts_, constraints_.rows, constraints_.first_contact_row, constraints_.resistance_rows,
+    constraints_.rows_per_contact, constraints_.friction);
   s(V_, forces_, torques_, solved_, start_);
   s(steps_, time_, h_, half_step_back_, parts_, calm_steps_, parts_per_second_, gap_step_);
   s(largest_load_, work_of_drives_, force_of_drives_);

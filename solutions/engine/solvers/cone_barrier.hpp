@@ -1,6 +1,6 @@
 #pragma once
-// The state of the interior-point method on cones: λ strictly inside its bounds and discs, and a multiplier for each of
-// them. The symbols, and both starts, are explained in engine/solvers/cone_interior_point.hpp.
+// A point of the interior-point method on cones: λ strictly inside its bounds and discs, and a multiplier of each. The
+// symbols, and both starts, are explained in engine/solvers/cone_interior_point.hpp.
 #include <cmath>
 #include <vector>
 
@@ -15,15 +15,15 @@ struct Push {
 
 /// Keeps a reference to the problem, and λ there. Blocks are numbered by `b`.
 template <int Dof>
-class ConeInterior {
+class ConeBarrier {
  public:
-  std::vector<Push> push;  ///< of each block
+  /// Starts near the current λ with that w [m/s], or well inside if w is 0. θ of a block is min(1, share/μ).
+  ConeBarrier(ConeProblem<Dof>& problem, double share, double w);
 
-  /// θ of a block is min(1, share/μ). One of the starts must follow.
-  ConeInterior(ConeProblem<Dof>& problem, double share);
+  const Push& push(std::size_t b) const { return push_[b]; }
 
-  void start_inside();
-  void start_near(double w);  ///< w in m/s
+  /// Moves λ and the multipliers by a fraction of their changes: one of λ for each row, one of multipliers for each block.
+  void advance(double fraction, const std::vector<double>& step, const std::vector<Push>& change);
 
   std::size_t size() const { return problem_.blocks().size(); }
   const ContactBlock& block(std::size_t b) const { return problem_.blocks()[b]; }
@@ -49,14 +49,17 @@ class ConeInterior {
   /// Moves each λ̄_n by the fraction `pace` of its distance to λ_n; friction keeps its ratio to the limit.
   void follow(double pace);
 
-  /// Returns λ, moved to a bound, or to the disc, where the multiplier exceeds the impulse that the slack would add [N
-  /// s].
+  /// Returns λ [N s], moved to a bound, or to the disc, where the multiplier exceeds the impulse that the slack would add.
   std::vector<double> answer() const;
 
  private:
+  void start_inside();
+  void start_near(double w);
+
   ConeProblem<Dof>& problem_;
   std::vector<double> theta_;  // θ of each block
   std::vector<double> last_;   // λ̄_n of each block [N s]
+  std::vector<Push> push_;     // of each block
 };
 
 }  // namespace spook

@@ -1,4 +1,4 @@
-#include "engine/solvers/cone_interior.hpp"
+#include "engine/solvers/cone_barrier.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,30 @@
 namespace spook {
 
 template <int Dof>
-ConeInterior<Dof>::ConeInterior(ConeProblem<Dof>& problem, double share) : problem_(problem) {
+ConeBarrier<Dof>::ConeBarrier(ConeProblem<Dof>& problem, double share, double w)
+    : problem_(problem), push_(problem.blocks().size()) {
   for (const ContactBlock& of : problem.blocks()) theta_.push_back(std::min(1.0, share / of.mu));
+  if (w > 0)
+    start_near(w);
+  else
+    start_inside();
 }
 
 template <int Dof>
-double ConeInterior<Dof>::limit(std::size_t b) const {
+void ConeBarrier<Dof>::advance(double fraction, const std::vector<double>& step,
+                               const std::vector<Push>& change) {
+  std::vector<double> lambda = problem_.impulses();
+  for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] += fraction * step[k];
+  problem_.set_impulses(lambda);
+  for (std::size_t b = 0; b < size(); ++b) {
+    push_[b].lo += fraction * change[b].lo;
+    push_[b].hi += fraction * change[b].hi;
+    push_[b].slip += fraction * change[b].slip;
+  }
+}
+
+template <int Dof>
+double ConeBarrier<Dof>::limit(std::size_t b) const {
   const double now = normal(block(b)).lambda;
   return block(b).mu * (theta_[b] == 1 ? now : theta_[b] * now + (1 - theta_[b]) * last_[b]);
 }
@@ -23,12 +41,12 @@ static double room_in(double L, const Vec2& friction) {
 }
 
 template <int Dof>
-double ConeInterior<Dof>::room(std::size_t b) const {
+double ConeBarrier<Dof>::room(std::size_t b) const {
   return room_in(limit(b), friction(block(b)));
 }
 
 template <int Dof>
-bool ConeInterior<Dof>::is_lagged() const {
+bool ConeBarrier<Dof>::is_lagged() const {
   return std::any_of(theta_.begin(), theta_.end(), [](double theta) { return theta < 1; });
 }
 
@@ -39,9 +57,8 @@ static double positive(double y, double w) {
 }
 
 template <int Dof>
-void ConeInterior<Dof>::start_near(double w) {
+void ConeBarrier<Dof>::start_near(double w) {
   std::vector<double> lambda = problem_.impulses();
-  push.resize(size());
   for (std::size_t b = 0; b < size(); ++b) {
     const ContactBlock& of = block(b);
     const Row<Dof>& row = normal(of);
@@ -51,11 +68,11 @@ void ConeInterior<Dof>::start_near(double w) {
     if (has_lo(of) && !(below < above)) {
       const double y = S * above + std::min(r, 0.0);
       now = std::min(row.lo + positive(y, w) / S, (row.lo + row.hi) / 2);
-      push[b] = {.lo = positive(-y, w), .hi = has_hi(of) ? w * w / S / (row.hi - now) : 0};
+      push_[b] = {.lo = positive(-y, w), .hi = has_hi(of) ? w * w / S / (row.hi - now) : 0};
     } else if (has_hi(of)) {
       const double y = S * below - std::max(r, 0.0);
       now = std::max(row.hi - positive(y, w) / S, (row.lo + row.hi) / 2);
-      push[b] = {.lo = has_lo(of) ? w * w / S / (now - row.lo) : 0, .hi = positive(-y, w)};
+      push_[b] = {.lo = has_lo(of) ? w * w / S / (now - row.lo) : 0, .hi = positive(-y, w)};
     }
     last_.push_back(now);
     if (of.count < 3) continue;
@@ -67,7 +84,7 @@ void ConeInterior<Dof>::start_near(double w) {
       const double y = of.s * slack - (slides ? lacks.norm() : 0),
                    most = std::max(0.0, L - positive(y, w) / of.s);
       if (along.norm() > most) along *= most / along.norm();
-      push[b].slip = of.mu * w * w / S / room_in(L, along);
+      push_[b].slip = of.mu * w * w / S / room_in(L, along);
     } else {
       along.setZero();
     }
@@ -77,7 +94,7 @@ void ConeInterior<Dof>::start_near(double w) {
 }
 
 template <int Dof>
-void ConeInterior<Dof>::start_inside() {
+void ConeBarrier<Dof>::start_inside() {
   std::vector<double> lambda = problem_.impulses();
   for (std::size_t b = 0; b < size(); ++b) {
     const Row<Dof>& row = normal(block(b));
@@ -92,29 +109,28 @@ void ConeInterior<Dof>::start_inside() {
       of = std::min(of, row.hi - scale);
   }
   problem_.set_impulses(lambda);
-  push.resize(size());
   for (std::size_t b = 0; b < size(); ++b) {
     last_.push_back(normal(block(b)).lambda);
     const double r = problem_.row_residual(block(b).row);
-    if (has_lo(block(b))) push[b].lo = std::max(problem_.rhs_norm(), -r);
-    if (has_hi(block(b))) push[b].hi = std::max(problem_.rhs_norm(), r);
-    if (rubs(block(b))) push[b].slip = problem_.rhs_norm();
+    if (has_lo(block(b))) push_[b].lo = std::max(problem_.rhs_norm(), -r);
+    if (has_hi(block(b))) push_[b].hi = std::max(problem_.rhs_norm(), r);
+    if (rubs(block(b))) push_[b].slip = problem_.rhs_norm();
   }
 }
 
 template <int Dof>
-std::vector<double> ConeInterior<Dof>::answer() const {
+std::vector<double> ConeBarrier<Dof>::answer() const {
   std::vector<double> lambda = problem_.impulses();
   for (std::size_t b = 0; b < size(); ++b) {
     const ContactBlock& of = block(b);
     const Row<Dof>& row = normal(of);
     double& along_normal = lambda[of.row];
-    if (has_lo(of) && push[b].lo > row.diagonal * room_lo(of)) along_normal = row.lo;
-    if (has_hi(of) && push[b].hi > row.diagonal * room_hi(of)) along_normal = row.hi;
+    if (has_lo(of) && push_[b].lo > row.diagonal * room_lo(of)) along_normal = row.lo;
+    if (has_hi(of) && push_[b].hi > row.diagonal * room_hi(of)) along_normal = row.hi;
     if (!rubs(of)) continue;
     const Vec2 along = friction(of);
     const double size = along.norm(), to_edge = limit(b) - size;
-    if (!(push[b].slip * direction(b).norm() > of.s * to_edge)) continue;
+    if (!(push_[b].slip * direction(b).norm() > of.s * to_edge)) continue;
     lambda[of.row + 1] = along[0] * of.mu * along_normal / size;
     lambda[of.row + 2] = along[1] * of.mu * along_normal / size;
   }
@@ -123,7 +139,7 @@ std::vector<double> ConeInterior<Dof>::answer() const {
 }
 
 template <int Dof>
-void ConeInterior<Dof>::follow(double pace) {
+void ConeBarrier<Dof>::follow(double pace) {
   std::vector<double> lambda = problem_.impulses();
   for (std::size_t b = 0; b < size(); ++b) {
     if (!rubs(block(b))) continue;
@@ -136,7 +152,7 @@ void ConeInterior<Dof>::follow(double pace) {
   problem_.set_impulses(lambda);
 }
 
-template class ConeInterior<3>;
-template class ConeInterior<6>;
+template class ConeBarrier<3>;
+template class ConeBarrier<6>;
 
 }  // namespace spook

@@ -1,0 +1,323 @@
+// Changes of a world between its steps, and steps that end by an exception: no result of an earlier world stays.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/diagnostics/run_check.hpp"
+#include "engine/diagnostics/spring_energy.hpp"
+#include "engine/solvers/registry.hpp"
+#include "engine/world/world.hpp"
+#include "refusals.hpp"
+
+namespace spook::between_steps_test {
+namespace {
+
+constexpr double g = 9.81, h = 1.0 / 60;
+
+Body<6> ball(const Vec3& x, double radius = 0.1) {
+  return {.x = x, .mass = 1, .radius = radius};
+}
+
+TEST(BetweenSteps, ARemovedBodyLeavesNoResults) {
+  World<6> world({.wrench = [](auto, const auto&, double) -> Twist<6> { return Twist<6>::Constant(0.1); },
+                  .friction = 0.5});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (const double x : {0.0, 1.0}) world.add(ball(Vec3(x, 0, 0.1)));
+  for (int n = 0; n < 5; ++n) world.step(h);
+  ASSERT_EQ(world.forces().size(), 3u);
+  world.remove_body(1);
+  EXPECT_TRUE(world.forces().empty());
+  EXPECT_TRUE(world.torques().empty());
+  EXPECT_TRUE(world.velocity_changes().empty());
+  EXPECT_EQ(world.report().iterations, 0);
+  EXPECT_EQ(world.report().pairs, 0);
+}
+
+TEST(BetweenSteps, TorquesEndWithTheirWrench) {
+  World<6> world({.gravity = Vec3::Zero()});
+  const int fixed = world.add_fixed(Vec3(5, 0, 0), 0.1), free = world.add(ball(Vec3::Zero()));
+  world.set_wrench([](auto, const auto&, double) {
+    Twist<6> wrench = Twist<6>::Zero();
+    wrench[5] = 0.3;
+    return wrench;
+  });
+  world.step(h);
+  ASSERT_EQ(world.torques().size(), 2u);
+  EXPECT_EQ(world.torques()[world.index(fixed)], Vec3::Zero());
+  EXPECT_EQ(world.torques()[world.index(free)], Vec3(0, 0, 0.3));
+  RunCheck<6> check;
+  check.look(world, h);
+  world.set_wrench(nullptr);
+  for (int n = 0; n < 60; ++n) {
+    world.step(h);
+    check.look(world, h);
+    EXPECT_TRUE(world.torques().empty());
+  }
+  EXPECT_EQ(check.verdict().state, State::sound) << check.verdict().reason;
+}
+
+TEST(BetweenSteps, AStepThatThrowsLeavesNoContactWithoutARow) {
+  World<6> world({.friction = 0.5});
+  const int lift = world.add_fixed_box(Vec3(0, 0, -0.1), Vec3(1, 1, 0.1));
+  world.add(ball(Vec3(0, 0, 0.15)));
+  bool throws = false;
+  world.set_velocity_function(lift, [&](double) -> Twist<6> {
+    if (throws) throw std::runtime_error("no velocity");
+    return Twist<6>::Zero();
+  });
+  while (world.contacts().empty()) {
+    World<6> before = world;
+    before.step(h);
+    throws = !before.contacts().empty();  // the first step with a contact does not end
+    if (throws) break;
+    world.step(h);
+  }
+  ASSERT_THROW(world.step(h), std::runtime_error);
+  for (int contact = 0; contact < std::ssize(world.contacts()); ++contact) EXPECT_GE(world.lambda(contact), 0);
+  EXPECT_TRUE(world.contacts().empty());
+  EXPECT_EQ(world.report().rows, 0);
+  throws = false;
+  for (int n = 0; n < 60; ++n) world.step(h);
+  EXPECT_NEAR(world.x(1).z(), 0.1, 1e-4);
+}
+
+TEST(BetweenSteps, PartsEndWithTheJointThatNeedsThem) {
+  World<6> world({.gravity = Vec3::Zero()});
+  world.add_fixed(Vec3::Zero());
+  const int mass = world.add({.x = Vec3(1, 0, 0), .v = Vec3(0, 50, 0), .mass = 1, .radius = 0.1});
+  world.add_joint({.i = 0, .j = mass, .length = 1});
+  world.step(h);
+  ASSERT_EQ(world.parts(), 8);
+  world.remove_joint(0);
+  for (int n = 0; n < 400; ++n) world.step(h);
+  EXPECT_EQ(world.parts(), 1);
+}
+
+/// A ball that rolls, and one on a hinge that is not there yet.
+World<6> with_a_rolling_ball() {
+  World<6> world({.friction = 0.6});
+  world.add_plane(Vec3::UnitZ(), 0);
+  Body<6> rolling = ball(Vec3(0, 0, 0.1));
+  rolling.v = Vec3(1, 0, 0);
+  rolling.omega = Vec3(0, 10, 0);
+  const int n = world.add(rolling);
+  world.set_material(n, {.rolling_resistance = 0.002});
+  world.add_fixed(Vec3(0, 3, 3));
+  world.add(ball(Vec3(0.3, 3, 3)));
+  return world;
+}
+
+TEST(BetweenSteps, ANewJointHasNoImpulse) {
+  World<6> world = with_a_rolling_ball();
+  for (int n = 0; n < 10; ++n) world.step(h);
+  ASSERT_EQ(world.rows().size(), 5u) << "two rows resist rolling, and the contact has three";
+  const int hinge = world.add_joint(
+      {.i = 2, .j = 3, .p_j = Vec3(-0.3, 0, 0), .kind = JointKind::hinge, .axis = Vec3::UnitY()});
+  for (int row = 0; row < world.joints()[0].rows(); ++row) EXPECT_EQ(world.joint_lambda(hinge, row), 0);
+  EXPECT_EQ(world.joint_torque(hinge), Vec3::Zero());
+  EXPECT_EQ(world.joint_force(hinge), Vec3::Zero());
+}
+
+TEST(BetweenSteps, ResistanceHoldsWhateverIsAddedFirst) {
+  // A column of balls: contacts with the plane come first in a step, whatever the plane's number.
+  const auto rows = [](bool plane_first) {
+    World<6> world({.friction = 0.6});
+    if (plane_first) world.add_plane(Vec3::UnitZ(), 0);
+    const int lowest = world.add(ball(Vec3(0, 0, 0.1)));
+    for (const double z : {0.3, 0.5, 0.7}) world.add(ball(Vec3(0, 0, z)));
+    if (!plane_first) world.add_plane(Vec3::UnitZ(), 0);
+    world.set_material(lowest, {.rolling_resistance = 0.002});
+    for (int n = 0; n < 5; ++n) world.step(h);
+    EXPECT_EQ(world.contacts().size(), 4u);
+    return world.rows().size();
+  };
+  EXPECT_EQ(rows(true), 4u * 3 + 2 * 2) << "two rows resist at each of the lowest ball's contacts";
+  EXPECT_EQ(rows(false), rows(true));
+}
+
+TEST(BetweenSteps, EverySweepReachesAllRowsWithResistance) {
+  // Without an update the contact would not carry the ball.
+  for (const RowOrder order : {RowOrder::up, RowOrder::down}) {
+    World<6> world({.friction = 0.6, .solver = ordered_gauss_seidel<6>(order)});
+    world.add_plane(Vec3::UnitZ(), 0);
+    for (const double x : {0.0, 1.0}) {
+      Body<6> rolling = ball(Vec3(x, 0, 0.1));
+      rolling.v = Vec3(0, 1, 0);
+      rolling.omega = Vec3(-10, 0, 0);
+      world.set_material(world.add(rolling), {.rolling_resistance = 0.002});
+    }
+    while (world.time() < 1) world.step(h);
+    for (const int n : {1, 2}) EXPECT_NEAR(world.x(n).z(), 0.1, 1e-4) << "order " << static_cast<int>(order);
+  }
+}
+
+TEST(BetweenSteps, TheEnergyOfSpringsIsThatOfTheirOwnStiffness) {
+  // m g presses a spring: (m g)²/2k, in each number of parts.
+  World<6> world({.gravity = Vec3(0, 0, -g)});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int n = world.add(ball(Vec3(0, 0, 0.1)));
+  world.set_material(0, n, {.k = 1e5});
+  while (world.time() < 5) world.step(h);
+  EXPECT_NEAR(spring_energy(world, h), g * g / 2e5, 1e-6 * g * g / 2e5);
+  World<6> soft({.gravity = Vec3(0, 0, -g), .soft_steps = SoftSteps{.substeps = 4}});
+  soft.add_fixed(Vec3(0, 0, 5));
+  const int hanging = soft.add(ball(Vec3(0, 0, 4)));
+  soft.add_joint({.i = 0, .j = hanging, .p_i = Vec3(0, 0, -1), .k = 1e5});
+  while (soft.time() < 5) soft.step(h);
+  EXPECT_NEAR(spring_energy(soft, h), g * g / 2e5, 1e-3 * g * g / 2e5);
+}
+
+TEST(BetweenSteps, WhatOrderFourRefusesIsNotAdded) {
+  World<6> world({.integrator_order = 4});
+  world.add(ball(Vec3::Zero()));
+  EXPECT_THROW(world.add_plane(Vec3::UnitZ(), -5), std::invalid_argument);
+  EXPECT_THROW(world.add(ball(Vec3(1, 0, 0))), std::invalid_argument);
+  EXPECT_THROW(world.add_fixed(Vec3(1, 0, 0), 0.1), std::invalid_argument);
+  EXPECT_EQ(world.bodies().size(), 1u);
+  EXPECT_EQ(world.add({.x = Vec3(1, 0, 0), .mass = 1, .principal = Vec3::Ones()}), 1)
+      << "a body without a shape may be added";
+}
+
+TEST(BetweenSteps, OrderFourRefusesALaterWrenchThatSeesVelocities) {
+  World<6> world({.integrator_order = 4});
+  world.add(ball(Vec3::Zero()));
+  world.step(h);
+  world.set_wrench(
+      [](std::size_t i, const Bodies<6>& bodies, double) { return Twist<6>(-bodies.motion.W[i]); });
+  expect_refusal({"wrench"}, [&] { world.step(h); });
+}
+
+TEST(BetweenSteps, TheFrictionBoxNeedsGravityForMaterialsToo) {
+  World<6> world({.gravity = Vec3::Zero(),
+                  .force = [](auto, const auto&) { return Vec3(0, 0, -g); },
+                  .solver = gauss_seidel<6>()});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int n = world.add(ball(Vec3(0, 0, 0.1)));
+  world.set_material(n, {.restitution = 0.5});
+  expect_refusal({"gravity"}, [&] { world.set_material(n, {.friction = 0.5}); });
+  expect_refusal({"gravity"}, [&] { world.set_material(0, n, {.friction = 0.5}); });
+}
+
+TEST(BetweenSteps, MaterialsWithoutFrictionHaveOneRowAContact) {
+  World<6> world({});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int n = world.add(ball(Vec3(0, 0, 0.1)));
+  world.set_material(n, {.friction = 0.5});
+  world.set_material(0, {.friction = 0.5});
+  world.step(h);
+  EXPECT_EQ(world.rows().size(), 3u);
+  for (const int body : {n, 0}) world.set_material(body, {.friction = 0});
+  world.step(h);
+  EXPECT_EQ(world.rows().size(), 1u);
+}
+
+TEST(BetweenSteps, ASuccessorGoesOnWithAnotherStep) {
+  // Velocities lag by half of the last step, which the successor must know.
+  World<6> first({});
+  const int n = first.add(ball(Vec3(0, 0, 100)));
+  first.start_half_step_back(h);
+  for (int step = 0; step < 30; ++step) first.step(h);
+  World<6> next({});
+  next.add(ball(Vec3(0, 0, 100)));
+  next.take_state_from(first);
+  for (int step = 0; step < 30; ++step) next.step(h / 3);
+  const double t = next.time();
+  EXPECT_NEAR(next.x(n).z(), 100 - g * t * t / 2, 1e-10);
+}
+
+TEST(BetweenSteps, ASpinIsShiftedToTheNewStepLikeASpeed) {
+  // τ = I α turns a ball by α t²/2, whatever the steps.
+  const double torque = 0.01;
+  World<6> world({.gravity = Vec3::Zero(), .wrench = [=](auto, const auto&, double) {
+                    Twist<6> wrench = Twist<6>::Zero();
+                    wrench[5] = torque;
+                    return wrench;
+                  }});
+  const int n = world.add(ball(Vec3::Zero()));
+  const double alpha = torque * world.bodies().orientations.inverse_inertia(0)(0, 0);
+  world.start_half_step_back(h / 4);
+  for (int step = 0; step < 60; ++step) world.step(step % 3 == 0 ? h / 4 : h / 10);
+  const double lag = world.velocity_lag(h / 10);
+  EXPECT_NEAR(angular_velocity(world, n).z(), alpha * (world.time() - lag), 1e-9 * alpha);
+}
+
+TEST(BetweenSteps, SoftStepsShiftWhatFallsBesideAContact) {
+  World<6> world({.soft_steps = SoftSteps{.substeps = 2}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  world.add(ball(Vec3(0, 0, 0.1)));
+  const int falling = world.add(ball(Vec3(5, 0, 100)));
+  world.start_half_step_back(h);
+  for (int n = 0; n < 100; ++n) world.step(n % 2 == 0 ? h : h / 4);
+  const double t = world.time();
+  EXPECT_NEAR(world.x(falling).z(), 100 - g * t * t / 2, 1e-9);
+}
+
+TEST(BetweenSteps, SoftStepsFindWhatASpinWillClose) {
+  // The corner of a cube that spins in free space moves at 8 m/s; nothing else moves, and it weighs nothing.
+  World<6> world({.gravity = Vec3::Zero(), .soft_steps = SoftSteps{.substeps = 4}});
+  world.add_fixed_box(Vec3(1.03, 0, 0), Vec3(0.5, 0.5, 0.5));
+  const int cube =
+      world.add({.x = Vec3::Zero(), .mass = 1, .omega = Vec3(0, 0, 12), .half_sides = Vec3::Constant(0.5)});
+  world.step(h);
+  EXPECT_FALSE(world.contacts().empty());
+  for (int n = 0; n < 30; ++n) {
+    world.step(h);
+    for (const Contact& contact : world.contacts()) EXPECT_GT(contact.gap, -0.05) << "step " << n;
+  }
+  EXPECT_LT(world.x(cube).x(), 0);
+}
+
+TEST(BetweenSteps, AStartLeavesOutWhatSeparates) {
+  // Infinite viscosity leaves friction rows with Σ = 0, where Newton's method is not used.
+  World<6> world({.friction = 0.5, .viscosity = infinity});
+  world.add_plane(Vec3::UnitZ(), 0);
+  Body<6> thrown = ball(Vec3(0, 0, 0.1));
+  thrown.v = Vec3(0, 0, 3);
+  const int n = world.add(thrown);
+  world.start_consistently(h);
+  EXPECT_NEAR(world.v(n).z(), 3 + g * h / 2, 1e-12);
+}
+
+TEST(BetweenSteps, TheTimeOfASpinMayBeZeroStepsAway) {
+  World<6> world({});
+  Body<6> spinning = ball(Vec3::Zero());
+  spinning.omega = Vec3(1, 2, 3);
+  const int n = world.add(spinning);
+  EXPECT_EQ(world.synchronized_velocity(n, 0), world.v(n));
+  EXPECT_EQ(world.synchronized_angular_velocity(n, 0), angular_velocity(world, n));
+}
+
+TEST(BetweenSteps, PointsOfADistanceThatMeetInALaterPartEndTheRun) {
+  // Two masses on a spring meet after one of two substeps. It is so weak that their positions are exact.
+  World<3> world({.gravity = Vec3::Zero(), .soft_steps = SoftSteps{.substeps = 2}});
+  const int left = world.add({.x = Vec3(-h / 2, 0, 0), .v = Vec3(1, 0, 0), .mass = 1}),
+            right = world.add({.x = Vec3(h / 2, 0, 0), .v = Vec3(-1, 0, 0), .mass = 1});
+  world.add_joint({.i = left, .j = right, .length = h, .k = 1e-40});
+  EXPECT_THROW(world.step(h), SimulationDiverged);
+}
+
+TEST(BetweenSteps, AStateIsRefusedOnAnotherSlope) {
+  const auto on = [](const Vec3& n) {
+    World<6> world({});
+    world.add_plane(n, 0);
+    world.add(ball(Vec3(0, 0, 1)));
+    return world;
+  };
+  World<6> level = on(Vec3::UnitZ()), slope = on(Vec3(0.6, 0, 0.8));
+  const std::string state = bytes_of_state(level);
+  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(state, slope); });
+  const auto hinged = [](const Quat& rest) {
+    World<6> world({});
+    world.add_fixed(Vec3::Zero());
+    world.add(ball(Vec3::Zero()));
+    world.add_joint({.i = 0, .j = 1, .kind = JointKind::hinge, .axis = Vec3::UnitZ(), .rest = rest});
+    return world;
+  };
+  World<6> straight = hinged(Quat::Identity()), bent = hinged(Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ())));
+  const std::string of_hinge = bytes_of_state(straight);
+  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(of_hinge, bent); });
+}
+
+}  // namespace
+}  // namespace spook::between_steps_test
