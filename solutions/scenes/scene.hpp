@@ -97,6 +97,7 @@ struct SceneDescription {
   std::optional<FrictionModel> friction_model = {};
   std::optional<int> integrator_order = {};  ///< default order, if it differs from the world's
   bool chaotic = false;                      ///< round-off alone parts two runs, by their end
+  bool from_file = false;                    ///< its bodies may rub without a parameter mu
 };
 
 /// Returns the scene with `model` as its default friction model.

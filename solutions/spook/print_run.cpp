@@ -21,11 +21,10 @@ static std::string counted(std::int64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Tells whether a scene may have friction: a scene with a parameter mu, or a file, which has no parameters.
-static bool may_rub(const Parameters& parameters) {
-  const auto& all = parameters.all();
-  return all.empty() ||
-         std::any_of(all.begin(), all.end(), [](const Parameter& one) { return one.name == "mu"; });
+/// Tells whether a scene may have friction.
+static bool may_rub(const SceneDescription& scene, const Parameters& parameters) {
+  const auto is_mu = [](const Parameter& one) { return one.name == "mu"; };
+  return scene.from_file || std::any_of(parameters.all().begin(), parameters.all().end(), is_mu);
 }
 
 /// Text about the rows and their solution: the friction model, its tangents, the solver and its stop rule.
@@ -37,7 +36,7 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
   if (method.engine == Engine::plain && !method.plain_solver)
     return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
   std::string text;
-  if (may_rub(parameters))
+  if (may_rub(scene, parameters))
     text = "friction " + name_of(friction_model(method)) + ", tangents " +
            (method.sliding_tangents ? "sliding" : "fixed") + "; ";
   text += method.solver + ", at most " +

@@ -160,6 +160,7 @@ SceneDescription described(const std::string& name, const Json& written) {
         if (points) return std::make_unique<FileScene<3>>(valued, method);
         return std::make_unique<FileScene<6>>(valued, method);
       }};
+  scene.from_file = true;
   scene.solver = file.has("solver") ? file["solver"].text() : "auto";
   const std::string present = present_name(scene.solver);
   if (version == 1 && !present.empty()) scene.solver = present;

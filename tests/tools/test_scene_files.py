@@ -416,6 +416,12 @@ class SceneFiles(unittest.TestCase):
         self.assertNotIn("nan", text)
         self.assertNotIn("\nset ", text)  # it has no parameters
 
+    def test_the_friction_model_is_named_with_parameters_and_without(self):
+        for scene in (EXAMPLE, EXAMPLE | {"parameters": {"m": {"default": 5, "unit": "kg", "meaning": "a mass"}},
+                                          "bodies": EXAMPLE["bodies"][:3] + [EXAMPLE["bodies"][3] | {"mass": "$m"}]}):
+            self.file.write_text(json.dumps(scene))
+            self.assertIn("friction cone, tangents fixed; auto", " ".join(self.spook("run", self.file).stdout.split()))
+
     def test_density_is_mass_by_volume(self):
         runs = []
         for of in ({"density": 2}, {"mass": 16}):  # of 8 m³
