@@ -246,7 +246,7 @@ class Automatic {
     const bool exactly = enough < shares_.enough * rhs_norm(part.rows);
     return solve_on_cones(problem, enough,
                           {.newton_first = exactly,
-                           .most = static_cast<int>(std::clamp(worth, 30.0, 300.0)),
+                           .factorisations = static_cast<int>(std::clamp(worth, 30.0, 300.0)),
                            .suffices = part.approach > 0 ? 0 : shares_.left});
   }
 

@@ -38,7 +38,7 @@ class Newton {
  private:
   SolverResult on_cones(const SolverInput<Dof>& s) {
     ConeProblem<Dof> problem(s.rows(), s.V, s.constraints.friction, s.bodies.motion.inverse_mass, *system_);
-    SolverResult result = solve_on_cones(problem, s.stop.tolerance, {.most = s.stop.max_sweeps});
+    SolverResult result = solve_on_cones(problem, s.stop.tolerance, {.factorisations = s.stop.max_sweeps});
     if (result.report.converged) return result;
     return append(std::move(result), sweeps_.solve(s), s.rows().size());
   }

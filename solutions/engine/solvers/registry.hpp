@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/solvers/row_order.hpp"
 #include "engine/solvers/solver.hpp"
 
 namespace spook {
@@ -56,28 +57,9 @@ Solver<Dof> colours(FrictionModel model = FrictionModel::cone);
 template <int Dof>
 Solver<Dof> blocks();
 
-/// The order of rows in a sweep.
-enum class RowOrder {
-  given,   ///< order of the list
-  up,      ///< by the height of a row's bodies, against gravity: Eq. (10.3)
-  down,    ///< by height, along gravity
-  random,  ///< a new random order in every solve: Eq. (10.4)
-  /// Alternates rows of the first and the second half: consecutive rows seldom share a body, so updates need not wait
-  /// for each other.
-  interleaved
-};
-
 /// Projected Gauss-Seidel in that order. A copy continues with the same random orders.
 template <int Dof>
 Solver<Dof> ordered_gauss_seidel(RowOrder order, std::uint64_t seed = 1);
-
-/// Returns the order 0, m, 1, m + 1, ... of n rows, with m half of n, rounded up: Eq. (14.13).
-std::vector<int> interleaved_order(std::size_t n);
-
-/// Sweeps in an order that contains every row once, with the stop rule of chapter 04's solve.
-template <int Dof>
-SolveReport solve_in_order(const std::vector<int>& order, std::vector<Row<Dof>>& rows,
-                           std::vector<Twist<Dof>>& V, const StopRule& stop);
 
 /// Sweeps on Coulomb's cones of chapter 09.
 template <int Dof>

@@ -37,7 +37,7 @@ class Attempts {
  private:
   static constexpr int most_of_newton = 12, most_near = 20, most_within = 60;
 
-  int remaining() const { return effort_.most - static_cast<int>(report_.history.size()); }
+  int remaining() const { return effort_.factorisations - static_cast<int>(report_.history.size()); }
   double part(double share) const { return std::max(tolerance_, share * problem_.rhs_norm()); }
 
   bool newton(int most) {

@@ -20,7 +20,7 @@ struct ConeEffort {
   /// Tries Newton's method before the interior point. If false, only where a tenth of the contacts is light, next to
   /// the tips of their cones: there it takes fewer factorisations, and elsewhere more.
   bool newton_first = true;
-  int most = 300;  ///< factorisations
+  int factorisations = 300;  ///< largest number of factorisations
   /// The residual, over the largest |B|, at which no further method is tried once one interior-point attempt has ended.
   double suffices = 0;
 };

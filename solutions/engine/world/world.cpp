@@ -72,7 +72,7 @@ void World<Dof>::step_part(double h) {
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
     constraints_.clear();
-    start_.forget();  // it has the impulses of the last step alone
+    last_impulses_.forget();  // it has the impulses of the last step alone
   } else {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
@@ -116,6 +116,13 @@ double World<Dof>::margin(double h) const {
   const double size = shapes_.smallest;
   if (!std::isfinite(size)) return 0;
   return std::min(settings_.gravity.norm() * h * h, 1e-2 * size) + 1e-9 * size;
+}
+
+template <int Dof>
+Vec3 World<Dof>::force(std::size_t i) const {
+  const Vec3 weight = bodies_.mass[i] * settings_.gravity;
+  if (!settings_.force) return weight;
+  return weight + settings_.force(i, bodies_.x);
 }
 
 template <int Dof>
@@ -246,7 +253,7 @@ void World<Dof>::build_rows(double h) {
     const std::size_t of_joints = rows().size();
     if constexpr (Dof == 6)
       if (materials_.resist())
-        add_resistance_rows(contacts_, h, materials_, start_, bodies_.motion, constraints_.rows);
+        add_resistance_rows(contacts_, h, materials_, last_impulses_, bodies_.motion, constraints_.rows);
     constraints_.first_contact_row = rows().size();
     constraints_.resistance_rows = rows().size() - of_joints;
   }
@@ -267,7 +274,7 @@ void World<Dof>::solve_rows(double h) {
   // The law of impacts and resistance to rolling need the forces of contacts.
   const bool needs_forces = settings_.impacts || materials_.bounce() || materials_.resist();
   if (settings_.warm_start || settings_.solver.wants_last || needs_forces)
-    start_.remember(constraints_, contacts_, h, settings_.threads);
+    last_impulses_.remember(constraints_, contacts_, h, settings_.threads);
 }
 
 template <int Dof>
@@ -277,7 +284,7 @@ SolverInput<Dof> World<Dof>::solver_input(std::vector<Twist<Dof>>& V, double h, 
           .joints = joints_,
           .contacts = contacts_,
           .bodies = bodies_,
-          .last = start_,
+          .last = last_impulses_,
           .gravity = settings_.gravity,
           .h = h,
           .stop = stop,
@@ -286,26 +293,8 @@ SolverInput<Dof> World<Dof>::solver_input(std::vector<Twist<Dof>>& V, double h, 
 
 template <int Dof>
 void World<Dof>::warm_start_rows(double h) {
-  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h, settings_.threads);
+  const std::vector<double> impulses = last_impulses_.impulses(constraints_, contacts_, h, settings_.threads);
   if (!impulses.empty()) warm_start(impulses, constraints_.rows, V_);  // Eq. (10.2)
-}
-
-template <int Dof>
-double World<Dof>::velocity_lag(double h) const {
-  require_positive("h", h);
-  return settings_.integrator_order == 4 ? 0 : h / parts_ / 2;
-}
-
-/// Returns the stop rule, with a lower bound of the tolerance. A row's residual, Eq. (4.6), is a sum of four rounded
-/// terms; under gravity the largest are at least |gravity| h. A sweep with a smaller change has converged.
-template <int Dof>
-StopRule World<Dof>::stop_rule(double h) const {
-  require_positive("h", h);
-  using Limits = std::numeric_limits<double>;
-  const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
-  StopRule stop = settings_.solver_limits;
-  stop.tolerance = std::max(stop.tolerance, std::min(four_roundings, Limits::max()));
-  return stop;
 }
 
 template <int Dof>
@@ -358,11 +347,15 @@ void World<Dof>::require_finite_bodies() const {
 
 }  // namespace spook
 
+#include "engine/world/world_arguments.ipp"
+#include "engine/world/world_changes.ipp"
+#include "engine/world/world_drives.ipp"
 #include "engine/world/world_impacts.ipp"
 #include "engine/world/world_joints.ipp"
 #include "engine/world/world_kinematic.ipp"
 #include "engine/world/world_order_four.ipp"
 #include "engine/world/world_parts.ipp"
+#include "engine/world/world_queries.ipp"
 #include "engine/world/world_recovery.ipp"
 #include "engine/world/world_setup.ipp"
 #include "engine/world/world_soft.ipp"

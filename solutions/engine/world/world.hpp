@@ -385,7 +385,7 @@ class World {
     std::vector<Quat> q;
     std::vector<double> angles;   ///< of the hinges [rad]
     std::vector<bool> recovered;  ///< of the joints
-    WarmStartCache start;
+    WarmStartCache last_impulses;
     double time = 0, h = 0, gap_step = 0, force_of_drives = 0;
   };
 
@@ -435,7 +435,7 @@ class World {
   void update_kinematic_velocities(double h);
   void move_kinematic(double h);
   void place_on_keyframes();
-  std::size_t static_body(int body) const;
+  std::size_t require_drivable(int body) const;
   void require_not_a_plane(int body) const;
   void drive(const Kinematic<Dof>& one, const Twist<Dof>& W);
   void integrate(double h);
@@ -490,7 +490,7 @@ class World {
   std::vector<Row<Dof>> soft_joints_;  // of the joints where they are now, in soft steps
   std::vector<Twist<Dof>> at_rest_;    // velocities that soft rows are built with
   std::vector<Approach> approaches_;   // of a soft step, for restitution
-  WarmStartCache start_;               // for the rows of the next step
+  WarmStartCache last_impulses_;       // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;
   std::int64_t steps_ = 0, removals_ = 0;

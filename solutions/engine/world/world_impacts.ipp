@@ -24,8 +24,9 @@ ImpactLaw World<Dof>::impact_law(const Contact& contact, double h) const {
   const double both = inverse_mass[contact.i].linear + inverse_mass[contact.j].linear;
   const double gravity = settings_.gravity.norm(), time = std::sqrt(2 / (both * k));  // √(2 m/k)
   law.threshold +=
-      h > time ? gravity * h
-               : std::max(gravity * time, start_.contact_force(contact.i, contact.j) * std::sqrt(both / k));
+      h > time
+          ? gravity * h
+          : std::max(gravity * time, last_impulses_.contact_force(contact.i, contact.j) * std::sqrt(both / k));
   return law;
 }
 

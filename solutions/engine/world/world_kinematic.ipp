@@ -8,7 +8,7 @@ namespace spook {
 
 /// Returns the index of a static body. Throws std::invalid_argument for a dynamic body, and at integrator_order 4.
 template <int Dof>
-std::size_t World<Dof>::static_body(int body) const {
+std::size_t World<Dof>::require_drivable(int body) const {
   const std::size_t i = index(body);
   if (!bodies_.is_fixed(i)) reject("body", body, "a static body");
   if (settings_.integrator_order == 4)
@@ -32,7 +32,7 @@ static Twist<Dof> without_rotation(const Vec3& v) {
 
 template <int Dof>
 void World<Dof>::set_velocity(int body, const Vec3& v) {
-  static_body(body);
+  require_drivable(body);
   require_not_a_plane(body);
   require_all_finite("v", v);
   drive({.body = body}, without_rotation<Dof>(v));
@@ -48,7 +48,7 @@ void World<Dof>::set_velocity(int body, const Vec3& v, const Vec3& omega) requir
 
 template <int Dof>
 void World<Dof>::set_surface_velocity(int body, const Vec3& v) {
-  static_body(body);
+  require_drivable(body);
   require_all_finite("v", v);
   for (const Plane& plane : shapes_.planes)
     if (plane.body == body && std::abs(plane.n.dot(v)) > 1e-9 * v.norm())
@@ -58,7 +58,7 @@ void World<Dof>::set_surface_velocity(int body, const Vec3& v) {
 
 template <int Dof>
 void World<Dof>::set_velocity_function(int body, VelocityFunction<Dof> velocity) {
-  static_body(body);
+  require_drivable(body);
   require_not_a_plane(body);
   if (!velocity) throw std::invalid_argument("velocity must be a function, but is null");
   drive({.body = body, .velocity = std::move(velocity)}, Twist<Dof>::Zero());
@@ -66,7 +66,7 @@ void World<Dof>::set_velocity_function(int body, VelocityFunction<Dof> velocity)
 
 template <int Dof>
 void World<Dof>::set_keyframes(int body, Keyframes keyframes) {
-  static_body(body);
+  require_drivable(body);
   require_not_a_plane(body);
   drive({.body = body, .keyframes = std::move(keyframes)}, Twist<Dof>::Zero());
   place_on_keyframes();

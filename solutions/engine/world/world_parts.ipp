@@ -66,7 +66,7 @@ void World<Dof>::remember_state() {
   for (const std::size_t hinge : hinges_) before.angles.push_back(joints_[hinge].angle);
   before.recovered.clear();
   for (const Joint& joint : joints_) before.recovered.push_back(joint.recovered);
-  before.start = start_;
+  before.last_impulses = last_impulses_;
   before.time = time_;
   before.h = h_;
   before.gap_step = gap_step_;
@@ -82,7 +82,7 @@ void World<Dof>::go_back() {
   V_ = before.V;
   for (std::size_t n = 0; n < hinges_.size(); ++n) joints_[hinges_[n]].angle = before.angles[n];
   for (std::size_t n = 0; n < joints_.size(); ++n) joints_[n].recovered = before.recovered[n];
-  start_ = before.start;
+  last_impulses_ = before.last_impulses;
   time_ = before.time;
   h_ = before.h;
   gap_step_ = before.gap_step;
@@ -104,7 +104,7 @@ double World<Dof>::least_relaxation(double h) const {
 template <int Dof>
 double World<Dof>::parts_needed_at_first(double h) {
   const double last_h = h_;
-  WarmStartCache start = start_;
+  WarmStartCache start = last_impulses_;
   evaluate_forces(h);
   set_default_stiffness(h);
   build_rows(h);
@@ -112,7 +112,7 @@ double World<Dof>::parts_needed_at_first(double h) {
   h_ = h;
   const double needed = parts_needed_now(h);
   forget_the_last_step();
-  start_ = std::move(start);
+  last_impulses_ = std::move(start);
   h_ = last_h;
   return needed;
 }

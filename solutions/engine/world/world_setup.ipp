@@ -1,21 +1,7 @@
-// Setup of a world before its steps, and queries afterwards.
-#include <algorithm>
-
+// Construction of a world: its settings, bodies, materials and excluded contacts.
 #include "common/require.hpp"
-#include "engine/support/parallel_for.hpp"
-#include "engine/support/require_index.hpp"
 
 namespace spook {
-
-/// Throws std::invalid_argument if friction would have no bound although a force may press bodies together.
-template <int Dof>
-static void require_weight_in_box(const Settings<Dof>& settings, bool forced, bool rubs) {
-  const bool boxed = rubs && settings.solver.friction == FrictionModel::box && !settings.soft_steps;
-  if (boxed && forced && settings.gravity.isZero(0))
-    throw std::invalid_argument(
-        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
-        "solver cone_gauss_seidel() or two_pass() does not");
-}
 
 /// Throws std::invalid_argument for soft steps beside settings that they do not use.
 template <int Dof>
@@ -116,24 +102,6 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   return keep_if_allowed(i);
 }
 
-template <int Dof>
-void World<Dof>::remove_body(int body) {
-  const std::size_t i = index(body);
-  bodies_.remove(i);
-  shapes_.remove(body);
-  materials_.remove(body);
-  std::erase_if(kinematic_, [&](const Kinematic<Dof>& one) { return one.body == body; });
-  for (Kinematic<Dof>& other : kinematic_) other.body -= other.body > body;
-  const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
-  joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
-  for (Joint& joint : joints_) {
-    joint.i -= joint.i > body;
-    joint.j -= joint.j > body;
-  }
-  ++removals_;
-  forget_the_last_step();
-}
-
 static void require_no_spring(const Material& material) {
   if (material.k) reject("k", *material.k, "left out with soft_steps");
   if (material.d) reject("d", *material.d, "left out with soft_steps");
@@ -178,132 +146,6 @@ void World<Dof>::exclude_contacts(const std::vector<int>& bodies) {
     reject("number of bodies", static_cast<double>(bodies.size()),
            "at least 2 to exclude contacts between them");
   shapes_.exclusions.add(bodies);
-}
-
-template <int Dof>
-void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
-  const std::size_t i = index(body);
-  if (bodies_.is_fixed(i))
-    throw std::invalid_argument("body " + std::to_string(body) + " is static: use move_fixed to move it");
-  require_all_finite("x", x);
-  require_all_finite("v", v);
-  bodies_.x[i] = x;
-  bodies_.motion.W[i].template head<3>() = v;
-}
-
-template <int Dof>
-void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
-  const std::size_t i = index(body);
-  if (bodies_.is_fixed(i))
-    throw std::invalid_argument("body " + std::to_string(body) + " is static: it keeps its orientation");
-  require_unit_length("q", q.norm());
-  require_all_finite("omega", omega);
-  if constexpr (Dof == 6) bodies_.orientations.q[i] = q.normalized();
-  bodies_.motion.W[i].template tail<3>() = omega;
-}
-
-template <int Dof>
-void World<Dof>::set_wrench(Wrench<Dof> wrench) {
-  require_weight_in_box(settings_, settings_.force || wrench, materials_.rub());
-  settings_.wrench = std::move(wrench);
-  wrench_checked_ = false;
-}
-
-template <int Dof>
-void World<Dof>::move_fixed(int body, const Vec3& x) {
-  const std::size_t i = index(body);
-  if (!bodies_.is_fixed(i)) reject("body", body, "a static body");
-  require_not_a_plane(body);
-  require_all_finite("x", x);
-  bodies_.x[i] = x;
-}
-
-template <int Dof>
-void World<Dof>::require_not_a_plane(int body) const {
-  for (const Plane& plane : shapes_.planes)
-    if (plane.body == body) reject("body", body, "another than a plane");
-}
-
-template <int Dof>
-void World<Dof>::apply_central_impulse(int body, const Vec3& impulse) {
-  const std::size_t i = index(body);
-  require_all_finite("impulse", impulse);
-  bodies_.motion.W[i].template head<3>() += bodies_.motion.inverse_mass[i].linear * impulse;
-}
-
-template <int Dof>
-void World<Dof>::take_state_from(const World& other) {
-  for (std::size_t i = 0; i < std::min(bodies_.size(), other.bodies_.size()); ++i) {
-    const auto is_this = [&](const Kinematic<Dof>& one) { return one.body == static_cast<int>(i); };
-    const bool is_static = bodies_.is_fixed(i) && std::none_of(kinematic_.begin(), kinematic_.end(), is_this);
-    if (is_static || bodies_.is_fixed(i) != other.bodies_.is_fixed(i)) continue;
-    bodies_.x[i] = other.bodies_.x[i];
-    bodies_.motion.W[i] = other.bodies_.motion.W[i];
-    if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
-  }
-  time_ = other.time_;
-  if (settings_.integrator_order == other.settings_.integrator_order)
-    h_ = other.h_;  // velocities lag by half of it
-  place_on_keyframes();
-  if (joints_.size() != other.joints_.size()) return;
-  start_ = other.start_;
-  for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;
-  for (std::size_t n = 0; n < joints_.size(); ++n)
-    joints_[n].recovered = !settings_.soft_steps && other.joints_[n].recovered;
-}
-
-template <int Dof>
-Vec3 World<Dof>::force(std::size_t i) const {
-  const Vec3 weight = bodies_.mass[i] * settings_.gravity;
-  if (!settings_.force) return weight;
-  return weight + settings_.force(i, bodies_.x);
-}
-
-template <int Dof>
-std::size_t World<Dof>::index(int body) const {
-  return require_index("body", body, bodies_.size());
-}
-
-template <int Dof>
-std::size_t World<Dof>::first_row(int contact) const {
-  return constraints_.normal_row(require_index("contact", contact, contacts_.size()));
-}
-
-template <int Dof>
-double World<Dof>::lambda(int contact) const {
-  return rows()[first_row(contact)].lambda;
-}
-
-template <int Dof>
-Vec3 World<Dof>::impulse(int contact) const {
-  Vec3 impulse = Vec3::Zero();
-  const std::size_t first = first_row(contact);
-  for (std::size_t row = first; row < first + constraints_.rows_per_contact; ++row)
-    impulse += rows()[row].lambda * rows()[row].Gj.template head<3>();
-  return impulse;
-}
-
-template <int Dof>
-Vec3 World<Dof>::contact_force(int contact) const {
-  return impulse(contact) / h_;
-}
-
-template <int Dof>
-StepReport World<Dof>::report() const {
-  return {.pairs = pairs_,
-          .contacts = static_cast<int>(contacts_.size()),
-          .impacts = static_cast<int>(impacts_.size()),
-          .rows = static_cast<int>(rows().size()),
-          .iterations = static_cast<int>(solved_.history.size()),
-          .residual = settings_.stepper                 ? (solved_.history.empty() ? 0 : solved_.history.back())
-                      : rows().empty()                  ? 0
-                      : settings_.integrator_order == 4 ? solved_.history.back()
-                      : settings_.soft_steps
-                          ? residual_on_cones(constraints_.friction, rows(), bodies_.motion.W)
-                      : settings_.solver.friction == FrictionModel::cone
-                          ? residual_on_cones(constraints_.friction, rows(), V_)
-                          : residual(rows(), V_),
-          .trouble = solved_.trouble};
 }
 
 }  // namespace spook

@@ -45,7 +45,7 @@ void World<Dof>::step_softly(double h) {
   }
   clock_.run(Stage::rows, [&] {
     soft_contacts_.return_rows(h_part, constraints_);
-    start_.remember(constraints_, contacts_, h_part, settings_.threads);
+    last_impulses_.remember(constraints_, contacts_, h_part, settings_.threads);
   });
   if (!approaches_.empty()) clock_.run(Stage::impacts, [&] { restitute(); });
 }
@@ -83,7 +83,7 @@ void World<Dof>::build_soft_contacts(double h) {
   set_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, constraints_);
   soft_gaps_.assign(constraints_.first_contact_row, {});
   std::vector<Row<Dof>>& rows = constraints_.rows;
-  const std::vector<double> impulses = start_.impulses(constraints_, contacts_, h, settings_.threads);
+  const std::vector<double> impulses = last_impulses_.impulses(constraints_, contacts_, h, settings_.threads);
   for (std::size_t k = 0; k < constraints_.first_contact_row; ++k)
     rows[k].lambda = impulses.empty() ? 0 : impulses[k];
   soft_contacts_.assign(contacts_, constraints_, impulses, stripes_of_contacts(), settings_.threads);

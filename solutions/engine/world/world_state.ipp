@@ -76,7 +76,7 @@ void World<Dof>::state(StateStream& s) {
   materials_.set_stiffness(stiffness);
   s(contacts_, constraints_.rows, constraints_.first_contact_row, constraints_.resistance_rows,
     constraints_.rows_per_contact, constraints_.friction);
-  s(V_, forces_, torques_, solved_, start_);
+  s(V_, forces_, torques_, solved_, last_impulses_);
   s(steps_, time_, h_, half_step_back_, parts_, calm_steps_, parts_per_second_, gap_step_);
   s(largest_load_, work_of_drives_, force_of_drives_);
   s(pairs_, impacts_, row_updates_);
