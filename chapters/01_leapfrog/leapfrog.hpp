@@ -48,8 +48,8 @@ using ForceField = std::function<Vec3(std::size_t i, const std::vector<Vec3>& x)
 /// finite: require_positive("h", h) of common/require.hpp.
 void leapfrog_step(Particles& bodies, const ForceField& force, double h);
 
-/// Exercise 1.5. Makes a step of order four: N leapfrog steps of the length w h, one of w₀ h backwards in time, and N
-/// of w h again: Eq. (1.11)-(1.13); not in the notes. N is `pairs`. `v` belongs to the time of `x`, before and after,
+/// Exercise 1.5. Makes a step of order four: N parts of the length w h, one of w₀ h backwards in time, and N of w h
+/// again: Eq. (1.11)-(1.13); not in the notes. Each part is half a drift, a whole kick, and half a drift. N is `pairs`. `v` belongs to the time of `x`, before and after,
 /// so there is no half-step start. Throws std::invalid_argument that names h if h is not positive and finite, and one
 /// that names pairs if pairs < 1: reject("pairs", pairs, "at least 1").
 void composed_step(Particles& bodies, const ForceField& force, double h, int pairs);

@@ -38,7 +38,7 @@ Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
 /// Exercise 7.3. The impulse on the surface of the cone, against the slip before the impact: Eq. (7.5); notes (4), (5).
-/// If |u_t| <= 1e-12 |u|, the slip is only round-off, and the impulse is along n. Returns nothing if n·K(n - μt) is not
+/// If |u_t| <= 1e-12 |u|, the slip is only round-off: then t = 0, and the impulse is along n. Returns nothing if n·K(n - μt) is not
 /// positive: then no such impulse stops the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 

@@ -89,7 +89,7 @@ struct SeparatingAxis {
 /// Ties are broken so that round-off and sag do not choose between faces that lie on each other. Let the margin be a
 /// thousandth of the smallest of all six half sides. Take the best face of i, that of j, and the best pair of edges; of
 /// faces that are equal within the margin, the first counts. Start with the face of i. The face of j replaces it only
-/// if its gap is larger by more than the margin plus 5 per cent of the first gap. By the same rule the edges may
+/// if its gap is larger by more than the margin plus 5 per cent of the absolute value of the first gap. By the same rule the edges may
 /// replace the face that is kept. Parallel edges, |e × e'| <= 1e-6, have no axis. If axes have g > 0, returns any of
 /// them, without a margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);
@@ -109,15 +109,15 @@ Contact edge_contact(const Box& i, const Box& j, const SeparatingAxis& axis);
 /// Exercise 8.8. Appends the contacts of two boxes, at most eight, and at least one if they overlap: Eq. (8.3),
 /// (8.6)-(8.10); not in the notes. Each p is in the middle between the two surfaces, along n.
 ///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
-///            of the four sides around the reference face. Each of its corners with g <= 0 is a contact. But as long
-///            as more than four are left, in their order, one is left out whose p is closer to the line through those of
-///            its two neighbours than a fiftieth of the smallest half side
-///   edges    one contact, by edge_contact. But where a face's normal is within 8 degrees of the edges' n, cosine 0.99
-///            or more, and the contacts on this face are at least two, they are the contacts. Faces of i count before
-///            those of j
+///            of the four sides around the reference face. Each of its corners with g <= 0 is a contact. Then go
+///            around them once. While more than four are left, leave out one whose p is closer to the line through
+///            those of its present neighbours than a fiftieth of the smallest of all six half sides
+///   edges    one contact, by edge_contact. But take the first face whose normal is within 8 degrees of the edges' n,
+///            cosine 0.99 or more, i's faces before j's. If it has at least two contacts, they are the contacts; no
+///            other face is tried
 ///   neither  if clipping leaves no corner with g <= 0: a contact at each corner of the whole incident face with g <= 0,
 ///            or only at the deepest one
-/// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not
+/// The sides are moved outwards by a millionth of the smallest of all six half sides, so that sides that lie on each other are not
 /// clipped. Where the rules treat i and j differently, the box with the lower body number takes the role of i:
 /// box_box(j, i) equals box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the
 /// accuracy is the same far from the origin.

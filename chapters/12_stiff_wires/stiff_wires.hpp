@@ -8,7 +8,7 @@
 //   limit        h < 2/ω                                                           Eq. (12.2)   not in the notes
 //   stiffness    K = (T/l) (1 - n nᵀ): force -K δ if x_j - x_i changes by δ        Eq. (12.3)   not in the notes
 //   tension      T = -λ/h of the last step, 0 for a link that pushes               Eq. (12.4)   not in the notes
-//   mass matrix  M̃ = M + h²K, with blocks +K on (i,i), (j,j) and -K on (i,j)       Eq. (12.5)   not in the notes
+//   mass matrix  M̃ = M + h²K, with K on (i,i) and (j,j), -K on (i,j) and (j,i)     Eq. (12.5)   not in the notes
 //   step         M̃ (V + W_f) = M W_f + Gᵀλ,  G V + Σ λ = B                         Eq. (12.6)   not in the notes
 //
 //   T   tension [N]      m   mass of a point [kg]      M   mass matrix
@@ -36,8 +36,8 @@ struct Stiffness {
 };
 
 /// Exercise 12.3. The saddle-point matrix of Eq. (11.2) with M̃ of Eq. (12.5) in place of M: its lower triangle,
-/// compressed, in the same layout. Springs may share bodies, and add up. The block of a static body gets no h²K. A
-/// spring has its entries even where they are 0, so that a wire that goes slack keeps its pattern.
+/// compressed, in the same layout. Springs may share bodies, and add up. A spring to a static body adds h²K to the
+/// block of the dynamic body only: neither the block of the static one nor that of the pair gets anything. A spring has its entries even where they are 0, so that a wire that goes slack keeps its pattern.
 SparseMatrix stiffened_matrix(const std::vector<Row<3>>& rows, const std::vector<InverseMass<3>>& inverse_mass,
                               const std::vector<Stiffness>& stiffness, double h);
 

@@ -61,9 +61,9 @@ struct JointLimits {
   double upper = infinity;
 };
 
-/// Exercise 13.4. The row of the limit with the smaller gap, λ >= 0 [N m s or N s]: Eq. (13.10), (13.11). While the gap
-/// is open, the row allows motion up to the limit within one step of `h` [s]. Beyond the limit, a and Σ are those of
-/// `spook`. In both cases b = 1: the row removes the whole speed towards the limit.
+/// Exercise 13.4. The row of the limit with the smaller gap, λ >= 0 [N m s or N s]: Eq. (13.10), (13.11). At any
+/// gap b = 1, so that the row removes the whole speed towards the limit, and Σ is that of `spook`. For g > 0, a is 1/h:
+/// the row allows motion up to the limit within one step of `h` [s]. For g <= 0, a is that of `spook`.
 Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const SpookParameters& spook,
                                double h);
 

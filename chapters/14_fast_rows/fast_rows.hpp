@@ -25,7 +25,8 @@ namespace spook {
 
 /// Exercise 14.1. The impulses (λ_n, λ_1, λ_2) [N s] of a single contact on Coulomb's cone: Eq. (14.3)-(14.6). `S` is
 /// symmetric and positive definite [1/kg], `q` is the right-hand side of Eq. (14.2) [m/s], and `mu` is at least 0 and
-/// finite. The result satisfies λ_n >= 0 exactly, and lies at most a few rounding errors outside the cone.
+/// finite. The result satisfies λ_n >= 0 exactly, and lies at most a few rounding errors outside the cone. With a NaN in
+/// q it contains a NaN, also for q_n <= 0.
 Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu);
 
 /// Exercise 14.2. Updates the three rows of a contact at once: Eq. (14.1), (14.2), then Eq. (14.3)-(14.6). Neither

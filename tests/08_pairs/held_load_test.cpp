@@ -36,7 +36,7 @@ EXERCISE_TEST(BoxBox, KeepsEveryCornerThatIsDeep) {
 }
 
 EXERCISE_TEST(BoxBox, LeavesOutCornersThatHardlyChangeTheHull) {
-  // Turned by little, each corner of the square becomes two; at 45 degrees no corner is flat.
+  // Turned by little, each side of the square gets a corner near its middle; at 45 degrees no corner is flat.
   const Box below = straight(0, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
   for (const double angle : {1e-4, 1e-3, 0.03, 0.2, 0.5}) {
     Box above = turned(straight(1, Vec3(0, 0, 0.999), Vec3(0.5, 0.5, 0.5)), angle, Vec3::UnitZ());

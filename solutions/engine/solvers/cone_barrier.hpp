@@ -22,7 +22,8 @@ class ConeBarrier {
 
   const Push& push(std::size_t b) const { return push_[b]; }
 
-  /// Moves λ and the multipliers by a fraction of their changes: one of λ for each row, one of multipliers for each block.
+  /// Moves λ and the multipliers by a fraction of their changes: one of λ for each row, one of multipliers for each
+  /// block.
   void advance(double fraction, const std::vector<double>& step, const std::vector<Push>& change);
 
   std::size_t size() const { return problem_.blocks().size(); }
@@ -49,7 +50,8 @@ class ConeBarrier {
   /// Moves each λ̄_n by the fraction `pace` of its distance to λ_n; friction keeps its ratio to the limit.
   void follow(double pace);
 
-  /// Returns λ [N s], moved to a bound, or to the disc, where the multiplier exceeds the impulse that the slack would add.
+  /// Returns λ [N s], moved to a bound, or to the disc, where the multiplier exceeds the impulse that the slack would
+  /// add.
   std::vector<double> answer() const;
 
  private:

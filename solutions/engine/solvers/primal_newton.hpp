@@ -28,8 +28,8 @@ struct PrimalFactors {
 };
 
 /// Solves the rows within their bounds, from their current λ, which is within bounds, and its V. The history has the
-/// residual of Eq. (4.8) after each factorisation. Returns nothing, and leaves rows and V unchanged, if Σ of a row is 0,
-/// or if neither method converges: a pivot fails Eq. (11.4), or stop.max_sweeps factorisations do not suffice.
+/// residual of Eq. (4.8) after each factorisation. Returns nothing, and leaves rows and V unchanged, if Σ of a row is
+/// 0, or if neither method converges: a pivot fails Eq. (11.4), or stop.max_sweeps factorisations do not suffice.
 template <int Dof>
 std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
                                          const std::vector<InverseMass<Dof>>& inverse_mass,
