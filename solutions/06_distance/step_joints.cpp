@@ -22,7 +22,7 @@ static void add_joint_rows(const Simulation& simulation, double h, const Motion<
     const SpookParameters spook = spook_parameters(h, joint.k, joint.d);
     const Attachment i = attachment(simulation, joint.i, joint.p_i);
     const Attachment j = attachment(simulation, joint.j, joint.p_j);
-    if (joint.length > 0)
+    if (joint.length != 0)
       rows.push_back(make_row(distance_constraint<6>(i, j, joint.length, spook), motion));
     else
       for (const Constraint<6>& along : ball_joint_constraints<6>(i, j, spook))

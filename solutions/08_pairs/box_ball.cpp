@@ -14,7 +14,7 @@ std::optional<Contact> box_ball(const Box& box, const Ball& ball) {
     n /= distance;
   } else {
     int axis;
-    distance = -(h - centre.cwiseAbs()).minCoeff(&axis);
+    distance = -(h - centre.cwiseAbs()).minCoeff<Eigen::PropagateNaN>(&axis);
     n = std::copysign(1, centre[axis]) * Vec3::Unit(axis);
     c = centre - distance * n;
   }

@@ -42,7 +42,7 @@ SeparatingAxis separating_axis(const Box& i, const Box& j) {
   const Vec3 &a = i.half_sides, &b = j.half_sides;
   const Mat3 C = i.axes.transpose() * j.axes, C_abs = C.cwiseAbs();
   const Vec3 apart = i.axes.transpose() * (j.x - i.x), apart_j = C.transpose() * apart;
-  if (apart_j.hasNaN()) return from_i_to_j({}, i, j);  // a half side that is NaN makes the margin NaN
+  if (apart_j.hasNaN() || a.hasNaN() || b.hasNaN()) return from_i_to_j({}, i, j);
 
   Best face_i{margin}, face_j{margin}, edges{0};
   const Vec3 gap_i = apart.cwiseAbs() - a - C_abs * b;

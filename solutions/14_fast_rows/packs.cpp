@@ -1,5 +1,6 @@
 // Conversion between rows and packs.
 #include <algorithm>
+#include <span>
 
 #include "14_fast_rows/fast_rows.hpp"
 
@@ -47,8 +48,12 @@ std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t b
   const std::vector<Run> runs = runs_of(rows, mu);
   std::vector<Pair> pairs;
   for (const Run& run : runs) {
-    const Row<Dof>& row = rows[run.first];
-    pairs.emplace_back(row.MinvGi.isZero(0) ? -1 : row.i, row.MinvGj.isZero(0) ? -1 : row.j);
+    const std::span of(&rows[run.first], static_cast<std::size_t>(run.count));
+    const bool moves_i =
+                   std::any_of(of.begin(), of.end(), [](const auto&row) { return !row.MinvGi.isZero(0); }),
+               moves_j =
+                   std::any_of(of.begin(), of.end(), [](const auto&row) { return !row.MinvGj.isZero(0); });
+    pairs.emplace_back(moves_i ? of[0].i : -1, moves_j ? of[0].j : -1);
   }
   const std::vector<int> colour = colour_pairs(pairs, bodies);
   std::vector<std::vector<int>> members(

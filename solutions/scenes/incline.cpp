@@ -34,7 +34,7 @@ class Incline : public WorldScene<Dof> {
     const double friction = m * (pull_ - acceleration_);
     world_.add_plane(Vec3::UnitZ(), 0);
     Body<Dof> body = lying<Dof>(block(p), m * slope(p).press, -friction * down_, p.number("k"));
-    if (p.choice("start") == "half_step") body.v = -h_ / 2 * acceleration_ * down_;  // Eq. (1.5)
+    if (p.choice("start") == "half_step") body.v = -this->velocity_lag() * acceleration_ * down_;  // Eq. (1.5)
     block_ = world_.add(body);
     start_ = body.x;
   }
@@ -60,7 +60,7 @@ class Incline : public WorldScene<Dof> {
   std::vector<double> sample() const override {
     const int contacts = static_cast<int>(world_.contacts().size());
     double friction = 0;
-    for (int c = 0; c < contacts; ++c) friction -= world_.impulse(c).dot(down_) / h_;
+    for (int c = 0; c < contacts; ++c) friction -= world_.impulse(c).dot(down_) / this->impulse_time();
     return {this->time(), x(), world_.v(block_).dot(down_), friction, static_cast<double>(contacts)};
   }
 

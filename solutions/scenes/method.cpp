@@ -17,6 +17,7 @@ FrictionModel find_friction_model(const std::string& name) {
 
 FrictionModel friction_model(const Method& method) {
   const NamedSolver<3>& named = find_solver<3>(method.solver);
+  if (method.soft_steps) return FrictionModel::cone;
   if (method.friction_model) return *method.friction_model;
   const bool has_cones = named.make_on_cones && method.row_order == RowOrder::given;
   return has_cones ? FrictionModel::cone : FrictionModel::two_pass;

@@ -22,7 +22,7 @@ class RestingSphere : public WorldScene<6> {
   }
 
   void observe() override { error_ = std::abs(gap() - rest_gap_); }
-  double error() const override { return relative(error_, std::abs(rest_gap_)); }
+  double error() const override { return of_springs(relative(error_, std::abs(rest_gap_))); }
   std::vector<Ghost> ghosts() const override {
     return {{.body = sphere_, .x = Vec3(0, 0, radius_ + rest_gap_)}};
   }
@@ -33,7 +33,8 @@ class RestingSphere : public WorldScene<6> {
     return {"time [s]", "gap [m]", "v [m/s]", "lambda [N s]"};
   }
   std::vector<double> sample() const override {
-    return {time(), gap(), world_.v(sphere_).z(), world_.contacts().empty() ? 0 : world_.lambda(0)};
+    return {time(), gap(), world_.v(sphere_).z(),
+            world_.contacts().empty() ? 0 : world_.lambda(0) * world_.parts()};
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -160,6 +161,11 @@ class WorldScene : public Scene {
   /// The time from velocities to positions [s].
   double velocity_lag() const { return world_.velocity_lag(h_); }
 
+  /// Returns an error against an answer that depends on k; NaN with soft steps, which have no k.
+  double of_springs(double error) const {
+    return world_.settings().soft_steps ? std::numeric_limits<double>::quiet_NaN() : error;
+  }
+
   /// The time in which the impulses of the last step act [s]: that of its last part.
   double impulse_time() const { return h_ / world_.parts(); }
 
@@ -180,7 +186,7 @@ class WorldScene : public Scene {
       return nullptr;
   }
   static Settings<Dof> with(Settings<Dof> settings, const Method& method) {
-    settings.solver = make_solver<Dof>(method);
+    if (!method.soft_steps) settings.solver = make_solver<Dof>(method);
     settings.solver_limits = method.solver_limits;
     settings.sliding_tangents = method.sliding_tangents;
     settings.warm_start = method.warm_start;

@@ -24,7 +24,7 @@ class SlideToRoll : public WorldScene<6> {
         sliding_{p.number("v0"), p.number("mu") * p.number("g")},
         radius_(p.number("radius")),
         shifted_(p.choice("start") == "half_step") {
-    const double m = p.number("m"), back = shifted_ ? -h_ / 2 : 0;
+    const double m = p.number("m"), back = shifted_ ? -velocity_lag() : 0;
     world_.add_plane(Vec3::UnitZ(), 0);
     sphere_ = world_.add({.x = Vec3(0, 0, radius_ - m * p.number("g") / p.number("k")),
                           .v = (sliding_.v0 - sliding_.rate * back) * ahead_,
@@ -67,7 +67,7 @@ class SlideToRoll : public WorldScene<6> {
   double rolls_after() const { return sliding_.duration() * 2 / 7; }
   double spin_rate() const { return 2.5 * sliding_.rate / radius_; }  // [rad/s²]
   /// The time to which ω belongs.
-  double spin_time() const { return shifted_ ? time() - h_ / 2 : time(); }
+  double spin_time() const { return shifted_ ? time() - velocity_lag() : time(); }
 
   double answer(double t) const {
     const double rolling = std::max(0.0, t - rolls_after());

@@ -40,7 +40,7 @@ class SlidingBlock : public WorldScene<Dof> {
     world_.add_plane(Vec3::UnitZ(), 0);
     Body<Dof> body = lying<Dof>(block(p), m * p.number("g"), -m * slowing, p.number("k"));
     body.v = coulomb_.v0 * heading_;
-    if (p.choice("start") == "half_step") body.v += h_ / 2 * slowing;  // Eq. (1.5)
+    if (p.choice("start") == "half_step") body.v += this->velocity_lag() * slowing;  // Eq. (1.5)
     block_ = world_.add(body);
     start_ = body.x;
   }

@@ -32,7 +32,7 @@ class Stack : public WorldScene<3> {
     error_ = 0;
     for (std::size_t i = 0; i < rest_gap_.size(); ++i) error_ = larger(error_, std::abs(gap(i) - rest_gap_[i]));
   }
-  double error() const override { return relative(error_, std::abs(rest_gap_[0])); }
+  double error() const override { return of_springs(relative(error_, std::abs(rest_gap_[0]))); }
   std::vector<Ghost> ghosts() const override {
     std::vector<Ghost> balls;
     double z = -radius_;

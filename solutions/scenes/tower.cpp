@@ -34,7 +34,7 @@ class Tower : public BoxesOnFloor {
     for (std::size_t i = 0; i < rest_sinking_.size(); ++i)
       error_ = larger(error_, std::abs(sinking(i) - rest_sinking_[i]));
   }
-  double error() const override { return relative(error_, rest_sinking_.back()); }
+  double error() const override { return of_springs(relative(error_, rest_sinking_.back())); }
   std::vector<Ghost> ghosts() const override {
     std::vector<Ghost> boxes;
     for (std::size_t i = 0; i < rest_sinking_.size(); ++i)

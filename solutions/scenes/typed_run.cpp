@@ -181,7 +181,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;
   if (!solver && method.friction_model == FrictionModel::cone && !find_solver<3>(method.solver).make_on_cones)
     method.solver = "auto";
-  make_solver<3>(method);
+  if (!method.soft_steps) make_solver<3>(method);
   step_count(method.h, settings.time);
   return settings;
 }

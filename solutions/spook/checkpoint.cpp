@@ -37,21 +37,30 @@ Json identity_of_run(const std::string& scene, const SceneDescription& descripti
   return {{"options", options}, {"parameters", json_of(parameters)}};
 }
 
-void require_writable_checkpoint(const std::string& file) {
-  const std::string unfinished = unfinished_name(file);
-  if (!std::ofstream(unfinished) || std::filesystem::is_directory(file)) refuse_to_write(file);
+/// Returns the file that a name means, behind links.
+static std::string target_of(const std::string& name) {
+  std::error_code failed;
+  const std::filesystem::path target = std::filesystem::canonical(name, failed);
+  return failed ? name : target.string();
+}
+
+void require_writable_checkpoint(const std::string& name) {
+  const std::string file = target_of(name), unfinished = unfinished_name(file);
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw std::invalid_argument("checkpoint must be a file, but \"" + name + "\" is none");
+  if (!std::ofstream(unfinished)) refuse_to_write(name);
   std::remove(unfinished.c_str());
 }
 
-void write_checkpoint(const std::string& file, const Json& run, std::int64_t substep, Scene& scene) {
-  const std::string bytes = bytes_of_state(scene), unfinished = unfinished_name(file);
+void write_checkpoint(const std::string& name, const Json& run, std::int64_t substep, Scene& scene) {
+  const std::string file = target_of(name), bytes = bytes_of_state(scene), unfinished = unfinished_name(file);
   const Json first = {{"format", "spook checkpoint"}, {"version", 1}, {"run", run}, {"substep", substep}};
   std::ofstream out(unfinished, std::ios::binary);
   out << first.dump() << '\n' << bytes;
   out.close();
   if (!out || std::rename(unfinished.c_str(), file.c_str()) != 0) {
     std::remove(unfinished.c_str());
-    refuse_to_write(file);
+    refuse_to_write(name);
   }
 }
 

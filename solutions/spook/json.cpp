@@ -28,9 +28,11 @@ Json json_of(const Parameters& parameters) {
 }
 
 Json json_of(const Method& method, bool solves) {
-  const auto of_rows = [&](const Json& value) { return solves ? value : Json(); };
+  // Soft steps have sweeps of their own, and steps of order four hold joints rigid.
+  const bool has_solver = solves && !method.soft_steps && method.integrator_order != 4;
+  const auto of_rows = [&](const Json& value) { return has_solver ? value : Json(); };
   return {
-      {"solver", solves ? method.solver : "none"},
+      {"solver", has_solver ? method.solver : "none"},
       {"iterations", of_rows(method.solver_limits.max_sweeps)},
       {"tolerance", of_rows(method.solver_limits.tolerance)},
       {"accuracy", method.accuracy ? of_rows(*method.accuracy) : Json()},
@@ -38,13 +40,13 @@ Json json_of(const Method& method, bool solves) {
       {"warm_start", of_rows(method.warm_start)},
       {"max_parts", method.max_parts ? Json(*method.max_parts) : Json()},
       {"contact_margin", method.contact_margin ? of_rows(*method.contact_margin) : Json()},
-      {"friction_model", of_rows(name_of(friction_model(method)))},
-      {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
+      {"friction_model", solves ? Json(name_of(friction_model(method))) : Json()},
+      {"tangents", solves ? Json(method.sliding_tangents ? "sliding" : "fixed") : Json()},
       {"h", method.h},
       {"substeps", method.substeps},
       {"integrator_order", method.integrator_order.value_or(2)},
       {"threads", method.threads},
-      {"soft_steps", method.soft_steps ? of_rows(*method.soft_steps) : Json()},
+      {"soft_steps", method.soft_steps ? Json(*method.soft_steps) : Json()},
       {"engine", method.engine == Engine::plain ? "plain" : "fast"},
   };
 }

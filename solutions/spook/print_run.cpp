@@ -31,8 +31,8 @@ static bool may_rub(const SceneDescription& scene, const Parameters& parameters)
 static std::string solver_text(const SceneDescription& scene, const Parameters& parameters,
                                const Method& method) {
   if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";
-  if (!scene.solves) return "none: no constraints";
   if (method.soft_steps) return "soft steps of " + counted(*method.soft_steps, "substep");
+  if (!scene.solves) return "none: no constraints";
   if (method.engine == Engine::plain && !method.plain_solver)
     return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
   std::string text;
@@ -57,9 +57,12 @@ static std::string steps_text(const Method& method, const RunResult& result) {
   return method.integrator_order == 4 ? text + "; composed to order four" : text;
 }
 
-static std::string last_step_text(const std::string& solver, const StepReport& last, bool verbose) {
-  // A solver with a fallback reason used another method.
-  const std::string what = last.trouble.empty() ? find_solver<3>(solver).iteration : "iteration";
+static std::string last_step_text(const Method& method, const StepReport& last, bool verbose) {
+  // A solver with a fallback reason used another method, and so do steps of order four.
+  const bool by_solver = last.trouble.empty() && method.integrator_order != 4;
+  const std::string what = method.soft_steps ? "sweep"
+                           : by_solver       ? find_solver<3>(method.solver).iteration
+                                             : "iteration";
   // Stiff links, and steps without rows, take no iterations.
   const std::string after = last.iterations > 0 ? ", after " + counted(last.iterations, what) : "";
   const std::string residual = short_text(last.residual) + " m/s in the last step" + after;
@@ -122,7 +125,9 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (verbose) print_entry(out, "answer", scene.answer);
   print_entry(out, "run", steps_text(settings.method, result));
   print_entry(out, "end", state_text(result, verbose, settings.method.engine == Engine::plain));
-  if (scene.error_unit.empty())
+  if (settings.method.soft_steps && std::isnan(result.error) && !scene.error_unit.empty())
+    print_entry(out, "error", "none: the answer depends on k, which soft steps do not have");
+  else if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
   else
     print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
@@ -135,7 +140,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
     return;
   }
   if (verbose && result.us_per_step) print_entry(out, "stages", stages_text(result));
-  if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last, verbose));
+  if (scene.solves) print_entry(out, "residual", last_step_text(settings.method, result.last, verbose));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);
 }
 

@@ -131,11 +131,15 @@ SceneDescription described(const std::string& name, const Json& written) {
   Place(written, "")
       .require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
                      "parameters", "settings", "bodies", "joints", "materials", "no_contact", "expected"});
-  // Options of a run change these two, as they do for a scene without a file.
-  for (const std::string key : {"h", "time"})
-    if (const auto place = Place(written, "").find(key);
-        place && place->holds_text() && place->text().starts_with("$"))
-      place->reject("a number, which --" + key + " changes");
+  // Options of a run change these, as they do for a scene without a file.
+  const auto require_number = [](const std::optional<Place>& place, const std::string& option) {
+    if (place && place->holds_text() && place->text().starts_with("$"))
+      place->reject("a number, which --" + option + " changes");
+  };
+  for (const std::string key : {"h", "time"}) require_number(Place(written, "").find(key), key);
+  if (const auto settings = Place(written, "").find("settings"))
+    for (const std::string key : {"integrator_order", "compose"})
+      require_number(settings->find(key), "integrator-order");
   const std::vector<Parameter> parameters = parameters_in(written);
   const Json json = with_values(written, parameters);
   const Place file(json, "");

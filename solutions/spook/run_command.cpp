@@ -1,5 +1,6 @@
 #include "spook/run_command.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -83,14 +84,24 @@ class Outputs {
     files_.push_back(*name);
   }
 
-  /// Empties all files, once every one of them could be opened.
+  /// Empties all files, once every one of them could be opened; not that to which standard output is appended.
   void empty() {
     for (const std::string& file : files_)
-      if (std::filesystem::is_regular_file(file)) std::filesystem::resize_file(file, 0);
+      if (std::filesystem::is_regular_file(file) && !is_standard(file)) std::filesystem::resize_file(file, 0);
     emptied_ = true;
   }
 
  private:
+  /// Tells whether a name, such as /dev/stdout, is that of the file of standard output or of standard error.
+  static bool is_standard(const std::string& name) {
+    struct stat file, standard;
+    if (stat(name.c_str(), &file) != 0) return false;
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+      if (fstat(stream, &standard) == 0 && standard.st_dev == file.st_dev && standard.st_ino == file.st_ino)
+        return true;
+    return false;
+  }
+
   std::vector<std::string> files_, created_;
   bool emptied_ = false;
 };
@@ -106,7 +117,7 @@ static bool are_one_file(const std::string& one, const std::string& other) {
   std::error_code failed;
   if (fs::exists(one, failed) && fs::exists(other, failed))
     return fs::is_regular_file(one, failed) && fs::equivalent(one, other, failed);
-  return fs::weakly_canonical(one, failed) == fs::weakly_canonical(other, failed);
+  return fs::weakly_canonical(fs::absolute(one), failed) == fs::weakly_canonical(fs::absolute(other), failed);
 }
 
 /// Throws std::invalid_argument, naming both options, for an output that another output or an input has.

@@ -199,6 +199,27 @@ TEST(BetweenSteps, TheFrictionBoxNeedsGravityForMaterialsToo) {
   expect_refusal({"gravity"}, [&] { world.set_material(0, n, {.friction = 0.5}); });
 }
 
+TEST(BetweenSteps, ARemovedMaterialDoesNotChangeImpacts) {
+  // Impacts have the law's friction unless a body or pair has a material; whose body it was does not matter.
+  const auto spin = [](int which) {
+    World<6> world({.impacts = ImpactLaw{.restitution = 0.5, .friction = 0.8}});
+    std::vector<int> others;
+    for (int n = 0; n < 3; ++n) others.push_back(world.add(ball(Vec3(5 + n, 0, 5))));
+    if (which >= 0) world.set_material(others[which], {.friction = 0.3});
+    if (which >= 0) world.set_material(others[which], {});
+    if (which >= 0) world.remove_body(others[which]);
+    world.add_plane(Vec3::UnitZ(), 0);
+    Body<6> falling = ball(Vec3(0, 0, 0.2));
+    falling.v = Vec3(2, 0, -2);
+    const int n = world.add(falling);
+    for (int step = 0; step < 10; ++step) world.step(h);
+    return angular_velocity(world, n).y();
+  };
+  const double without = spin(-1);
+  EXPECT_GT(without, 10);
+  for (const int which : {0, 1, 2}) EXPECT_EQ(spin(which), without) << which;
+}
+
 TEST(BetweenSteps, MaterialsWithoutFrictionHaveOneRowAContact) {
   World<6> world({});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -277,6 +298,15 @@ TEST(BetweenSteps, AStartLeavesOutWhatSeparates) {
   const int n = world.add(thrown);
   world.start_consistently(h);
   EXPECT_NEAR(world.v(n).z(), 3 + g * h / 2, 1e-12);
+}
+
+TEST(BetweenSteps, SoftStepsKnowTheirLagBeforeTheFirst) {
+  World<6> world({.soft_steps = SoftSteps{.substeps = 4}});
+  EXPECT_DOUBLE_EQ(world.velocity_lag(h), h / 8);
+  const int n = world.add(ball(Vec3(0, 0, 100)));
+  world.place(n, Vec3(0, 0, 100), Vec3(0, 0, g * world.velocity_lag(h)));
+  for (int step = 0; step < 60; ++step) world.step(h);
+  EXPECT_NEAR(world.x(n).z(), 100 - g / 2, 1e-9);
 }
 
 TEST(BetweenSteps, TheTimeOfASpinMayBeZeroStepsAway) {

@@ -255,6 +255,22 @@ TEST(Capsule, KeepsMomentaWhenTwoCollide) {
   EXPECT_LT((momentum() - before).norm(), 1e-12);
 }
 
+TEST(Capsule, PushesABallOnItsSegmentAcross) {
+  for (const bool ball_first : {false, true})
+    for (const double angle : {0.0, 0.7, 1.5708}) {
+      World<6> world({.gravity = Vec3::Zero()});
+      const Body<6> ball{.mass = 1, .radius = 0.1};
+      if (ball_first) world.add(ball);
+      const Quat q(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+      world.add_fixed(Vec3::Zero(), Capsule{.radius = 0.1, .half_length = 1}, q);
+      if (!ball_first) world.add(ball);
+      world.step(1.0 / 60);
+      ASSERT_EQ(world.contacts().size(), 1u);
+      EXPECT_LT(std::abs(world.contacts()[0].n.dot(q * Vec3::UnitZ())), 1e-9) << angle;
+      EXPECT_NEAR(world.contacts()[0].gap, -0.2, 1e-12);
+    }
+}
+
 TEST(Capsule, RefusesInvalidShapes) {
   World<6> world({});
   expect_refusal({"half_length", "-1"}, [&] { world.add({.radius = 0.1, .half_length = -1}); });

@@ -26,8 +26,7 @@ void with_wall(const std::function<void(const SolverInput<6>&)>& look) {
   world.add_plane(Vec3::UnitZ(), 0);
   for (int course = 0; course < 5; ++course)
     for (int n = 0; n < 4; ++n)
-      world.add(
-          {.x = Vec3(2.002 * (n - 0.5 * (course % 2)), 0, course + 0.5), .half_sides = Vec3(1, 0.5, 0.5)});
+      world.add({.x = Vec3(2.002 * n - 0.98 * (course % 2), 0, course + 0.5), .half_sides = Vec3(1, 0.5, 0.5)});
   while (steps < 40) world.step(1.0 / 60);
 }
 

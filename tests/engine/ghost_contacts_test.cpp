@@ -158,14 +158,14 @@ TEST(BrickWall, KeepsItsContactsBetweenBricksSideBySide) {
   const int courses = 4, bricks = 5;
   for (int c = 0; c < courses; ++c)
     for (int b = 0; b < bricks; ++b)
-      world.add({.x = Vec3(0.4 * b + 0.2 * (c % 2), 0, 0.2 * c + 0.1),
+      world.add({.x = Vec3(0.4 * b + 0.19 * (c % 2), 0, 0.2 * c + 0.1),
                  .mass = 10,
                  .half_sides = Vec3(0.2, 0.1, 0.1)});
   for (int step = 0; step < 30; ++step) world.step(1.0 / 60);
   int beside = 0, below = 0;
   for (const Contact& contact : world.contacts()) ++(std::abs(contact.n.x()) > 0.5 ? beside : below);
   // Four contacts of each pair of neighbours, of each brick with the floor, and of each two bricks that overlap by
-  // half.
+  // about half: with a half exactly, the last brick of a course could tip.
   EXPECT_EQ(beside, 4 * courses * (bricks - 1));
   EXPECT_EQ(below, 4 * bricks + 4 * (courses - 1) * (2 * bricks - 1));
 }
@@ -197,7 +197,7 @@ bool is_ghost_of_the_second(double angle, int contacts_on_it, bool moves) {
   std::vector<Contact> contacts = {{.i = 0, .j = 2, .n = Vec3::UnitZ(), .gap = -1e-3, .r_i = r, .r_j = r}};
   for (int k = 0; k < contacts_on_it; ++k)
     contacts.push_back({.i = 1, .j = 2, .n = n, .gap = -1e-3, .r_i = r, .r_j = r});
-  const std::vector<bool> ghosts = ghost_contacts(shapes, placed, 0, 3, contacts);
+  const std::vector<bool> ghosts = ghost_contacts(shapes, placed, 3, contacts);
   return !ghosts.empty() && ghosts[1];
 }
 

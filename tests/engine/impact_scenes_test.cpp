@@ -253,6 +253,42 @@ TEST(PileScene, RestsThoughABallIsPushedFromOneOverlapIntoAnother) {
 }
 
 // The force of an earlier contact says nothing about a new one. 1000 N would allow 3.2 m/s without an impact.
+// A box and a capsule that fall on a frictionless floor: what they get must not depend on a sideways velocity, nor on how
+// late the step finds the impact. u = -3 m/s, J = (1 + e) |u| / (1/m + (r x n)²/I), Eq. (7.2).
+TEST(Impacts, OfLateCornersDoNotDependOnASidewaysVelocity) {
+  const double h = 1.0 / 60, u = 3, e = 0.5;
+  for (const bool capsule : {false, true})
+    for (const double late : {0.02, 0.5, 0.98})
+      for (const double sideways : {0.0, 3.0, 10.0}) {
+        World<6> world({.gravity = Vec3::Zero(), .impacts = ImpactLaw{.restitution = e, .friction = 0}});
+        world.add_plane(Vec3::UnitZ(), 0);
+        const double angle = 0.4;
+        const Quat q(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+        Body<6> body{.v = Vec3(sideways, 0, -u), .mass = 1, .q = q};
+        Vec3 lowest;  // from the centre
+        if (capsule) {
+          body.radius = 0.1;
+          body.half_length = 0.2;
+          lowest = q * Vec3(0, 0, -0.2) - Vec3(0, 0, 0.1);
+        } else {
+          body.half_sides = Vec3(0.1, 0.1, 0.2);
+          lowest = q * Vec3(0.1, 0, -0.2);
+        }
+        // A step moves it, and the next one finds it `late` of a step too deep.
+        body.x = Vec3(0, 0, -lowest.z() + (1 - late) * u * h);
+        const int n = world.add(body);
+        const double I = 1 / world.bodies().orientations.inverse_inertia(1)(1, 1);
+        const double arm = lowest.x(), J = (1 + e) * u / (1 + arm * arm / I);
+        for (int step = 0; step < 2; ++step) world.step(h);
+        const std::string what = (capsule ? "a capsule, " : "a box, ") + std::to_string(late) + " late, at " +
+                                 std::to_string(sideways) + " m/s";
+        // The corners of a box are two, along y, which share the impulse.
+        EXPECT_NEAR(world.v(n).z(), -u + J, 1e-9) << what;
+        EXPECT_NEAR(angular_velocity(world, n).y(), -arm * J / I, 1e-9 / I) << what;
+        EXPECT_NEAR(world.v(n).x(), sideways, 1e-12) << what;
+      }
+}
+
 TEST(Impacts, ForgetTheForceOfAContactThatHasEnded) {
   double pressed = 1000;
   World<3> world({.force = [&](std::size_t body,

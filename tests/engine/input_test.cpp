@@ -47,6 +47,19 @@ TEST(Input, Bodies) {
   EXPECT_EQ(rigid.bodies().size(), 0U);
 }
 
+TEST(Input, NumbersWithoutAnInverse) {
+  const auto refuses = [](const std::string& name, const Body<6>& body) {
+    World<6> world({});
+    expect_refusal({name}, [&] { world.add(body); });
+    EXPECT_EQ(world.bodies().size(), 0u);
+  };
+  refuses("mass", {.mass = 1e-310, .radius = 1});
+  refuses("principal moment", {.half_sides = Vec3(1e160, 1, 1)});
+  refuses("principal moment", {.radius = 1e160});
+  refuses("principal moment", {.radius = 1e-170});
+  refuses("principal moment", {.principal = Vec3::Constant(1e-310)});
+}
+
 TEST(Input, StepsAndIndices) {
   World<3> world({});
   world.add({});

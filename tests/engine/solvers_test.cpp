@@ -375,8 +375,7 @@ TEST(Default, SolvesAWallAtRestInFewIterationsOfAStep) {
   world.add_plane(Vec3::UnitZ(), 0);
   for (int course = 0; course < 6; ++course)
     for (int n = 0; n < 6; ++n)
-      world.add(
-          {.x = Vec3(2.002 * (n - 0.5 * (course % 2)), 0, course + 0.5), .half_sides = Vec3(1, 0.5, 0.5)});
+      world.add({.x = Vec3(2.002 * n - 0.98 * (course % 2), 0, course + 0.5), .half_sides = Vec3(1, 0.5, 0.5)});
   int iterations = 0;
   while (world.time() < 2) world.step(1.0 / 60);
   while (world.time() < 4) {

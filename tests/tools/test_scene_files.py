@@ -39,6 +39,8 @@ REFUSED = (
      "bodies[3].corners are points, which pass through bodies[2]"),
     ("bodies", {}, "bodies must be a list, but is {}"),
     ("h", "$dt", 'h must be a number, which --h changes, but is "$dt"'),
+    ("settings.integrator_order", "$T",
+     'settings.integrator_order must be a number, which --integrator-order changes, but is "$T"'),
     ("time", "$end", 'time must be a number, which --time changes, but is "$end"'),
     ("joints.0.j", 9, "joints[0].j must be the number of a body, less than 4, but is 9"),
     ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),

@@ -220,6 +220,10 @@ class Refusals(unittest.TestCase):
                                  ([*run, "--csv", other, "--checkpoint", folder + "/./other"], ["--checkpoint", "that of --csv"]),
                                  ([*run, "--csv", state, "--restart", state], ["--csv", "that of --restart"])):
                 self.refused(words, *named)
+            inside = subprocess.run([SPOOK, *run, "--csv", "new", "--checkpoint", "./new"], cwd=folder, text=True,
+                                    capture_output=True, check=False)
+            self.assertEqual((inside.returncode, Path(folder, "new").exists()), (2, False), inside.stderr)
+            self.assertIn("--checkpoint must be another file", inside.stderr)
             self.assertEqual((Path(scene).read_text(), Path(other).exists()), (text, False))
             self.assertEqual(spook(*run, "--restart", state, "--checkpoint", state).returncode, 0)
             self.assertEqual(spook(*run, "--csv", "/dev/null", "--record", "/dev/null").returncode, 0)
@@ -306,7 +310,14 @@ class Runs(unittest.TestCase):
         words = "run stack --set bodies=3 --soft-steps 4 --time 1"
         self.assertIn("soft steps of 4 substeps", " ".join(spook(*words.split()).stdout.split()))
         run = json.loads(spook(*words.split(), "--json").stdout)
-        self.assertEqual(run["soft_steps"], 4)
+        self.assertEqual((run["soft_steps"], run["solver"], run["iterations"], run["friction_model"]),
+                         (4, "none", None, "cone"))
+        self.assertIsNone(run["error"]["value"])
+        self.assertIn("the answer depends on k", " ".join(spook(*words.split()).stdout.split()))
+        self.assertEqual(json.loads(spook(*"run orbit --soft-steps 4 --time 1 --json".split()).stdout)["soft_steps"], 4)
+        for mu, limit in (("0", 1e-9), ("0.3", 0.02)):  # the start is half a substep back
+            run = json.loads(spook(*f"run incline --set mu={mu} --soft-steps 8 --json".split()).stdout)
+            self.assertLess(run["error"]["value"], limit)
         self.assertEqual(run["last_step"]["iterations"], 8)
         self.assertEqual(run["row_updates"], 8 * run["last_step"]["rows"] * run["steps"])
 
@@ -462,6 +473,27 @@ class Runs(unittest.TestCase):
                           spook(*call, "--time", "0.8", "--csv", rest, "--restart", state).stderr)
             again = json.loads(spook(*call, "--time", "0.5", "--restart", state).stdout)
             self.assertIsNone(again["us_per_step"])  # no step is left
+
+    def test_a_checkpoint_replaces_nothing_but_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe, link, target = Path(folder, "pipe"), Path(folder, "link"), Path(folder, "target")
+            os.mkfifo(pipe)
+            done = spook("run", "tower", "--time", "0.1", "--checkpoint", str(pipe))
+            self.assertEqual((done.returncode, pipe.is_fifo()), (2, True))
+            self.assertIn("checkpoint must be a file", done.stderr)
+            target.write_text("old")
+            link.symlink_to(target)
+            self.assertEqual(spook("run", "tower", "--time", "0.1", "--checkpoint", str(link)).returncode, 0)
+            self.assertTrue(link.is_symlink())
+            self.assertIn("spook checkpoint", target.read_bytes().decode(errors="replace"))
+
+    def test_a_csv_on_standard_output_erases_no_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = Path(folder, "log")
+            log.write_text("earlier\n")
+            with log.open("a") as out:
+                subprocess.run([SPOOK, "run", "tower", "--time", "0.1", "--csv", "/dev/stdout"], stdout=out, check=True)
+            self.assertTrue(log.read_text().startswith("earlier\n"))
 
     def test_a_checkpoint_of_another_run_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -235,7 +235,8 @@ function methodLine(header) {
   const { method, mine } = header, said = [];
   if (method.h) said.push(`h = ${inUnit(method.h, "s")}`);
   if (method.substeps > 1) said.push(`${method.substeps} substeps`);
-  if (method.solver) said.push(method.solver.replaceAll("_", " "));
+  if (method.solver && method.solver !== "none") said.push(method.solver.replaceAll("_", " "));
+  if (method.soft_steps) said.push(`soft steps of ${method.soft_steps} substeps`);
   if (method.iterations) said.push(`at most ${method.iterations} iterations`);
   if (method.warm_start) said.push("warm start");
   if (mine && mine.length) said.push(`yours: ${mine.join(", ")}`);

@@ -43,6 +43,12 @@ static Vec3 moments_of(const Body<6>& body) {
   });
 }
 
+/// Throws unless the number and its inverse are positive and finite.
+static void require_invertible(const std::string& name, double value) {
+  require_positive(name, value);
+  if (!std::isfinite(1 / value)) reject(name, value, "so large that its inverse is finite");
+}
+
 /// Throws unless no moment exceeds the sum of the other two: each moment is a sum over two of three squares.
 static void require_moments(const Body<6>& body) {
   if (!body.principal) return;
@@ -55,7 +61,7 @@ template <int Dof>
 static void require_sound(const Body<Dof>& body) {
   require_all_finite("x", body.x);
   require_all_finite("v", body.v);
-  require_positive("mass", body.mass);
+  require_invertible("mass", body.mass);
   shape_of(body);
   if constexpr (Dof == 6) {
     require_unit_length("q", body.q.norm());
@@ -77,7 +83,10 @@ template <int Dof>
 int Bodies<Dof>::add(const Body<Dof>& body) {
   require_sound(body);
   Vec3 principal;
-  if constexpr (Dof == 6) principal = moments_of(body);
+  if constexpr (Dof == 6) {
+    principal = moments_of(body);
+    for (const double moment : principal) require_invertible("principal moment", moment);
+  }
   add_at(*this, body.x, body.mass, 1 / body.mass);
   motion.W.back().template head<3>() = body.v;
   if constexpr (Dof == 6) {

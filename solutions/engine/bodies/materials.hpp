@@ -56,8 +56,8 @@ class Materials {
   const std::vector<Material>& of_bodies() const { return bodies_; }
   const std::map<std::pair<int, int>, Material>& of_pairs() const { return pairs_; }
 
-  /// Tells whether any material was set.
-  bool any() const { return !bodies_.empty() || !pairs_.empty(); }
+  /// Tells whether any body or pair has a material other than the default one.
+  bool any() const { return set_ > 0 || !pairs_.empty(); }
 
   /// Tells whether any coefficient of friction is positive.
   bool rub() const { return rub_ > 0; }
@@ -75,8 +75,9 @@ class Materials {
   PairMaterial world_;
   std::vector<Material> bodies_;
   std::map<std::pair<int, int>, Material> pairs_;
-  // Numbers of materials: with friction, that of the world included; with a restitution; with resistance.
-  int rub_ = world_.friction > 0 ? 1 : 0, bounce_ = 0, resist_ = 0;
+  // Numbers of materials: that set a number; with friction, that of the world included; with a restitution; with
+  // resistance.
+  int set_ = 0, rub_ = world_.friction > 0 ? 1 : 0, bounce_ = 0, resist_ = 0;
 };
 
 }  // namespace spook

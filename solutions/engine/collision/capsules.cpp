@@ -108,11 +108,11 @@ Vec3 outwards(const Box& box, const Vec3& point) {
 
 }  // namespace
 
-PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q, double grown) {
+PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q) {
   return {.body = body,
           .x = x,
           .axis = q.toRotationMatrix().col(2),
-          .radius = capsule.radius + grown,
+          .radius = capsule.radius,
           .half_length = capsule.half_length};
 }
 
@@ -131,6 +131,12 @@ void add_contacts(const PlacedCapsule& capsule, const Ball& ball, std::vector<Co
   const double t = nearest(capsule, ball.x);
   std::optional<Contact> contact = ball_ball(capsule.ball(t), ball);
   if (!contact) return;
+  const Vec3 from_i = ball.x - capsule.ball(t).x;
+  if (from_i.norm() <= in_one_place * (capsule.radius + ball.radius)) {
+    contact->n = tangents(capsule.axis).t1;  // across the segment the ball is least deep
+    contact->r_i = (capsule.radius + contact->gap / 2) * contact->n;  // Eq. (8.3)
+    contact->r_j = contact->r_i - from_i;
+  }
   contact->r_i += t * capsule.half_length * capsule.axis;
   contacts.push_back(*contact);
 }

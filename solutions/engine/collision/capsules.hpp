@@ -26,8 +26,8 @@ struct PlacedCapsule {
   Ball ball(double t) const { return {.body = body, .x = x + t * half_length * axis, .radius = radius}; }
 };
 
-/// Returns a capsule at the position and orientation of its body, its radius grown by `grown` [m].
-PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q, double grown);
+/// Returns a capsule at the position and orientation of its body.
+PlacedCapsule place(const Capsule& capsule, int body, const Vec3& x, const Quat& q);
 
 Bounds bounds(const PlacedCapsule& capsule);
 

@@ -42,33 +42,35 @@ void Shapes::remove(int body) {
 
 namespace {
 
-Ball place(const Sphere& sphere, int body, const Vec3& x, const Quat&, double grown) {
-  return {.body = body, .x = x, .radius = sphere.radius + grown};
+Ball place(const Sphere& sphere, int body, const Vec3& x, const Quat&) {
+  return {.body = body, .x = x, .radius = sphere.radius};
 }
 
-Box place(const Cuboid& box, int body, const Vec3& x, const Quat& q, double grown) {
-  return {
-      .body = body, .x = x, .axes = q.toRotationMatrix(), .half_sides = box.half_sides + Vec3::Constant(grown)};
+Box place(const Cuboid& box, int body, const Vec3& x, const Quat& q) {
+  return {.body = body, .x = x, .axes = q.toRotationMatrix(), .half_sides = box.half_sides};
 }
 
-/// Returns a solid at its current position, grown by `grown`.
+/// Returns a solid at its current position.
 template <int Dof>
-PlacedSolid placed(const Solid& solid, const Bodies<Dof>& bodies, double grown) {
+PlacedSolid placed(const Solid& solid, const Bodies<Dof>& bodies) {
   const auto body = static_cast<std::size_t>(solid.body);
   const Quat& q = bodies.orientations.of(body);
-  return match(solid.shape, [&](const auto& shape) -> PlacedSolid {
-    return place(shape, solid.body, bodies.x[body], q, grown);
-  });
+  return match(solid.shape,
+               [&](const auto& shape) -> PlacedSolid { return place(shape, solid.body, bodies.x[body], q); });
 }
 
-Bounds bounds_of(const PlacedSolid& solid) {
-  return match(
+/// Returns the bounds of a solid, grown by `grown` [m].
+Bounds bounds_of(const PlacedSolid& solid, double grown) {
+  Bounds found = match(
       solid,
       [](const Ball& ball) {
         const Vec3 half = Vec3::Constant(ball.radius);
         return Bounds{.lower = ball.x - half, .upper = ball.x + half};
       },
       [](const auto& other) { return bounds(other); });
+  found.lower -= Vec3::Constant(grown);
+  found.upper += Vec3::Constant(grown);
+  return found;
 }
 
 void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) {
@@ -94,20 +96,92 @@ void add_contacts(const Box& a, const Box& b, std::vector<Contact>& contacts) {
   box_box(a, b, contacts);
 }
 
-void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& contacts) {
+/// Appends the contacts of a plane, raised by the margin, and a solid.
+void touch(Plane plane, const PlacedSolid& solid, double margin, std::vector<Contact>& contacts) {
+  const std::size_t before = contacts.size();
+  plane.offset += margin;
   match(solid, [&](const auto& placed) { add_contacts(plane, placed, contacts); });
+  for (std::size_t c = before; c < contacts.size(); ++c) contacts[c].gap += margin;
 }
 
-/// Appends the contacts of two solids, in the order for which there is a function.
-void touch(const PlacedSolid& one, const PlacedSolid& other, std::vector<Contact>& contacts) {
-  std::visit(
-      [&](const auto& a, const auto& b) {
-        if constexpr (requires { add_contacts(a, b, contacts); })
-          add_contacts(a, b, contacts);
-        else
-          add_contacts(b, a, contacts);
-      },
-      one, other);
+/// Appends the contacts of two solids that overlap or touch, in the order for which there is a function.
+template <class One, class Other>
+void touch(const One& a, const Other& b, std::vector<Contact>& contacts) {
+  if constexpr (requires { add_contacts(a, b, contacts); })
+    add_contacts(a, b, contacts);
+  else
+    add_contacts(b, a, contacts);
+}
+
+/// Returns a round solid with a larger radius.
+template <class Round>
+Round grown(Round solid, double by) {
+  solid.radius += by;
+  return solid;
+}
+
+/// Appends the contacts of two round solids, both grown by half the margin: their points stay in the middle.
+template <class One, class Other>
+void touch_within(double margin, const One& a, const Other& b, std::vector<Contact>& contacts) {
+  const std::size_t before = contacts.size();
+  touch(grown(a, margin / 2), grown(b, margin / 2), contacts);
+  for (std::size_t c = before; c < contacts.size(); ++c) contacts[c].gap += margin;
+}
+
+/// Appends the contacts of a box and a round solid, which alone grows: a box would grow more at its corners.
+template <class Round>
+void touch_within(double margin, const Box& box, const Round& round, std::vector<Contact>& contacts) {
+  const std::size_t before = contacts.size();
+  touch(box, grown(round, margin), contacts);
+  for (std::size_t c = before; c < contacts.size(); ++c) {
+    Contact& contact = contacts[c];
+    const Vec3 by = (contact.i == box.body ? margin : -margin) / 2 * contact.n;  // back to the middle
+    contact.gap += margin;
+    contact.r_i += by;
+    contact.r_j += by;
+  }
+}
+template <class Round>
+void touch_within(double margin, const Round& round, const Box& box, std::vector<Contact>& contacts) {
+  touch_within(margin, box, round, contacts);
+}
+
+/// Returns the point of a box that is nearest to a point; both are relative to its centre.
+Vec3 nearest_in(const Box& box, const Vec3& point) {
+  const Vec3 inside = box.axes.transpose() * point;
+  return box.axes * inside.cwiseMax(-box.half_sides).cwiseMin(box.half_sides);
+}
+
+/// Moves the point of a contact of two grown boxes back to the boxes `i` and `j`, and computes their gap.
+void move_to(const Box& i, const Box& j, Contact& contact) {
+  const Vec3 from_i_to_j = j.x - i.x, half_gap = contact.gap / 2 * contact.n;
+  const Vec3 on_i = nearest_in(i, contact.r_i - half_gap), on_j = nearest_in(j, contact.r_j + half_gap);
+  contact.gap = contact.n.dot(from_i_to_j + on_j - on_i);
+  // A corner of j is exact now. A corner that the sides of i have cut off is still beside them.
+  const Vec3 below = nearest_in(i, from_i_to_j + on_j - contact.gap * contact.n);
+  contact.r_i = below + contact.gap / 2 * contact.n;  // Eq. (8.3)
+  contact.r_j = contact.r_i - from_i_to_j;
+}
+
+/// Appends the contacts of two boxes: those of boxes grown by half the margin, whose corners grow by more.
+void touch_within(double margin, const Box& a, const Box& b, std::vector<Contact>& contacts) {
+  if (margin == 0) return touch(a, b, contacts);
+  const auto grown_box = [&](Box box) {
+    box.half_sides += Vec3::Constant(margin / 2);
+    return box;
+  };
+  const auto before = static_cast<std::ptrdiff_t>(contacts.size());
+  touch(grown_box(a), grown_box(b), contacts);
+  for (std::size_t c = static_cast<std::size_t>(before); c < contacts.size(); ++c)
+    contacts[c].i == a.body ? move_to(a, b, contacts[c]) : move_to(b, a, contacts[c]);
+  contacts.erase(std::remove_if(contacts.begin() + before, contacts.end(),
+                                [&](const Contact& contact) { return !(contact.gap <= margin); }),
+                 contacts.end());
+}
+
+/// Appends the contacts of two solids with a gap of at most `margin` [m].
+void touch(const PlacedSolid& one, const PlacedSolid& other, double margin, std::vector<Contact>& contacts) {
+  std::visit([&](const auto& a, const auto& b) { touch_within(margin, a, b, contacts); }, one, other);
 }
 
 void touch(const Plane& plane, const Corners& corners, const Bodies<6>& bodies, double margin,
@@ -133,7 +207,7 @@ Pair pair_of(const Contact& contact) {
 class PreviousContacts {
  public:
   PreviousContacts(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
-      : next_(contacts.begin() + static_cast<std::ptrdiff_t>(begin)),
+      : next_(contacts.begin() + static_cast<std::ptrdiff_t>(std::min(begin, contacts.size()))),
         end_(contacts.begin() + static_cast<std::ptrdiff_t>(std::min(end, contacts.size()))) {}
 
   /// Starts at a pair.
@@ -166,34 +240,25 @@ int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double 
 template <int Dof>
 int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies,
                               double margin, std::vector<Contact>& contacts, int threads) {
-  const double grown = margin / 2;
   placed_.clear();
-  for (const Solid& solid : shapes.solids) placed_.push_back(placed(solid, bodies, grown));
+  for (const Solid& solid : shapes.solids) placed_.push_back(placed(solid, bodies));
   last_.swap(with_ghosts_.empty() ? contacts : with_ghosts_);
   with_ghosts_.clear();
   contacts.clear();
   int pairs = 0;
-  for (Plane plane : shapes.planes) {
-    plane.offset += grown;
+  for (const Plane& plane : shapes.planes)
     for (std::size_t s = 0; s < shapes.solids.size(); ++s) {
       ++pairs;
       const Solid& solid = shapes.solids[s];
       if (solid.is_static || shapes.exclusions.excludes(plane.body, solid.body)) continue;
-      touch(plane, placed_[s], contacts);
+      touch(plane, placed_[s], margin, contacts);
     }
-  }
-  // The point of a contact with a plane is on the original shape, before it was grown.
-  for (Contact& contact : contacts) {
-    contact.r_i += grown * contact.n;
-    contact.r_j += grown * contact.n;
-    contact.gap += margin;
-  }
 
   const PreviousContacts former(last_, first_of_solids_, end_of_solids_);
   first_of_solids_ = contacts.size();
   if (shapes.solids.size() > 1) {
     bounds_.clear();
-    for (const PlacedSolid& solid : placed_) bounds_.push_back(bounds_of(solid));
+    for (const PlacedSolid& solid : placed_) bounds_.push_back(bounds_of(solid, margin / 2));
     const std::vector<Pair>& near = pair_cache_.touching(bounds_);
     pairs += static_cast<int>(near.size());
     const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
@@ -210,9 +275,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
           of_these->add_those_of({one.body, other.body}, found);
           continue;
         }
-        const std::size_t before = found.size();
-        touch(placed_[a], placed_[b], found);
-        for (std::size_t c = before; c < found.size(); ++c) found[c].gap += margin;
+        touch(placed_[a], placed_[b], margin, found);
       }
     };
     const std::size_t shares = shares_of(threads, near.size());
@@ -226,7 +289,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
       contacts.insert(contacts.end(), found.begin(), found.end());
   }
   end_of_solids_ = contacts.size();
-  remove_ghosts(shapes, bodies.size(), grown, contacts);
+  remove_ghosts(shapes, bodies.size(), contacts);
 
   if constexpr (Dof == 6)
     for (const Plane& plane : shapes.planes)
@@ -238,10 +301,9 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
   return pairs;
 }
 
-void ContactFinder::remove_ghosts(const Shapes& shapes, std::size_t bodies, double grown,
-                                  std::vector<Contact>& contacts) {
+void ContactFinder::remove_ghosts(const Shapes& shapes, std::size_t bodies, std::vector<Contact>& contacts) {
   if (first_of_solids_ == end_of_solids_) return;
-  const std::vector<bool> ghosts = ghost_contacts(shapes, placed_, grown, bodies, contacts);
+  const std::vector<bool> ghosts = ghost_contacts(shapes, placed_, bodies, contacts);
   if (ghosts.empty()) return;
   with_ghosts_ = contacts;
   std::size_t c = 0;

@@ -68,7 +68,7 @@ class ContactFinder {
  public:
   /// Replaces `contacts` with all contacts of a gap of at most `margin` [m]: planes with solids, solids with solids,
   /// planes with corners, in the order in which the shapes were added. Contacts of one pair of bodies are consecutive.
-  /// Returns the number of pairs examined by the narrow phase. The result is the same for any number of `threads`.
+  /// Returns the number of pairs that may touch by their bounds. The result is the same for any number of `threads`.
   template <int Dof>
   int find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin, std::vector<Contact>& contacts,
            int threads = 1);
@@ -80,11 +80,11 @@ class ContactFinder {
                  std::vector<Contact>& contacts, int threads = 1);
 
  private:
-  void remove_ghosts(const Shapes& shapes, std::size_t bodies, double grown, std::vector<Contact>& contacts);
+  void remove_ghosts(const Shapes& shapes, std::size_t bodies, std::vector<Contact>& contacts);
 
   PairCache pair_cache_;
   std::vector<bool> everyone_;
-  std::vector<PlacedSolid> placed_;  // the solids where they are now, each grown by half the margin
+  std::vector<PlacedSolid> placed_;  // the solids where they are now
   std::vector<Bounds> bounds_;       // of the solids
   std::vector<Contact> last_;
   // Contacts of the last call before ghosts were removed; empty if there were no ghosts.

@@ -35,8 +35,8 @@ struct Support {
 
 class Surfaces {
  public:
-  Surfaces(const Shapes& shapes, const std::vector<PlacedSolid>& placed, double grown, std::size_t bodies)
-      : shapes_(shapes), placed_(placed), grown_(grown), solid_of_(bodies, -1) {
+  Surfaces(const Shapes& shapes, const std::vector<PlacedSolid>& placed, std::size_t bodies)
+      : shapes_(shapes), placed_(placed), solid_of_(bodies, -1) {
     for (std::size_t s = 0; s < placed.size(); ++s)
       solid_of_[static_cast<std::size_t>(shapes.solids[s].body)] = static_cast<int>(s);
   }
@@ -66,7 +66,7 @@ class Surfaces {
       return is_face ? height(m, *found) : -infinity;
     }
     for (const Plane& plane : shapes_.planes)
-      if (plane.body == body) return plane.n.dot(m) >= parallel ? plane.offset + grown_ : -infinity;
+      if (plane.body == body) return plane.n.dot(m) >= parallel ? plane.offset : -infinity;
     return -infinity;
   }
 
@@ -77,7 +77,6 @@ class Surfaces {
  private:
   const Shapes& shapes_;
   const std::vector<PlacedSolid>& placed_;
-  double grown_;
   std::vector<int> solid_of_;
 };
 
@@ -98,13 +97,13 @@ bool is_ghost(int body, int other, const Vec3& n, bool on_face, const std::vecto
 
 }  // namespace
 
-std::vector<bool> ghost_contacts(const Shapes& shapes, const std::vector<PlacedSolid>& placed, double grown,
+std::vector<bool> ghost_contacts(const Shapes& shapes, const std::vector<PlacedSolid>& placed,
                                  std::size_t bodies, const std::vector<Contact>& contacts) {
   bool any;
   const std::vector<bool> several = touched_from_several_sides(contacts, bodies, any);
   if (!any) return {};
 
-  const Surfaces surfaces(shapes, placed, grown, bodies);
+  const Surfaces surfaces(shapes, placed, bodies);
   std::vector<std::vector<Support>> supports(bodies);
   const auto add = [&](int body, int other, const Vec3& m, double gap) {
     if (!several[static_cast<std::size_t>(body)] || !surfaces.moves(body)) return;

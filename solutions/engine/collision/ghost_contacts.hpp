@@ -6,8 +6,7 @@
 
 namespace spook {
 
-/// Marks the contacts that are ghosts; returns an empty list if there are none. `placed` are the solids, grown by
-/// `grown` [m].
+/// Marks the contacts that are ghosts; returns an empty list if there are none. `placed` are the solids.
 ///
 /// A body that rests on a face or a plane, with normal m, cannot be stopped by a box with a face along m, too, that is
 /// not higher. So only contacts along m are real with such a box: within 0.02 rad if the box moves and touches the body
@@ -15,7 +14,7 @@ namespace spook {
 /// body and box being s: s/1000 plus twice the body's penetration in its support, since a loaded neighbour sinks, but
 /// at most s/25. A body that is deeper in its support than a quarter of its own size has no ghosts, since a part of it
 /// is below the face. Nor do tilted boxes make any: in a heap of boxes one that is lower may well carry another.
-std::vector<bool> ghost_contacts(const Shapes& shapes, const std::vector<PlacedSolid>& placed, double grown,
+std::vector<bool> ghost_contacts(const Shapes& shapes, const std::vector<PlacedSolid>& placed,
                                  std::size_t bodies, const std::vector<Contact>& contacts);
 
 }  // namespace spook

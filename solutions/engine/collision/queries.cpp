@@ -27,7 +27,7 @@ std::optional<RayHit> cast_ray(const Shapes& shapes, const Bodies<Dof>& bodies, 
   const Vec3 u = direction.stableNormalized();
   std::optional<RayHit> first;
   const auto look_at = [&](int body, const std::optional<LineEntry>& in, const Quat& q) {
-    if (!in || !(in->t >= 0 && in->t <= longest)) return;
+    if (!in || !(in->t >= 0 && in->t <= longest && std::isfinite(in->t))) return;
     if (first && (in->t > first->distance || (in->t == first->distance && body > first->body))) return;
     // -0 + 0 is 0.
     first =

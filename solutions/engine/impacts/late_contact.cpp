@@ -18,6 +18,7 @@ std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> radii(bodies, 0);
   for (const Solid& solid : shapes.solids)
     if (const auto* sphere = std::get_if<Sphere>(&solid.shape)) radii[solid.body] = sphere->radius;
+  for (const Plane& plane : shapes.planes) radii[plane.body] = -1;
   return radii;
 }
 
@@ -40,7 +41,7 @@ Contact contact_before(Contact contact, double late, const std::vector<double>& 
     if (!apart.isZero(0)) contact.n = apart.normalized();
     contact.r_i = radius_i / (radius_i + radius_j) * apart;
     contact.r_j = contact.r_i - apart;
-  } else if (radius_j > 0) {
+  } else if (radius_j > 0 || radius_i < 0) {
     contact.r_i += back_j - back_i;
   } else if (radius_i > 0) {
     contact.r_j += back_i - back_j;
@@ -54,7 +55,7 @@ Contact contact_before(Contact contact, double late, const std::vector<double>& 
 Contact moved_on(Contact contact, const Displacements& moved, const std::vector<double>& radii) {
   contact.gap += contact.n.dot(moved.at(contact.j, contact.r_j) - moved.at(contact.i, contact.r_i));
   const Vec3 apart = moved.by[contact.j] - moved.by[contact.i];
-  if (radii[contact.j] > 0)
+  if (radii[contact.j] > 0 || radii[contact.i] < 0)
     contact.r_i += apart;
   else
     contact.r_j -= apart;

@@ -5,6 +5,7 @@
 
 #include "engine/constraints/joint_rows.hpp"
 #include "engine/linear/schur_entry.hpp"
+#include "engine/support/larger.hpp"
 
 namespace spook {
 
@@ -163,7 +164,7 @@ void RattleJoints<Dof>::drift(const std::vector<Joint>& joints, double h, const 
     double most = 0;
     for (double& error : errors_) {
       error /= h;
-      most = std::max(most, std::abs(error));
+      most = larger(most, std::abs(error));
     }
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;

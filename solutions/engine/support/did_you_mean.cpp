@@ -35,7 +35,7 @@ std::string present_name(const std::string& name) {
 
 std::string did_you_mean(const std::string& given, const std::vector<std::string>& known) {
   const std::string present = present_name(given);
-  if (std::find(known.begin(), known.end(), present) != known.end())
+  if (!present.empty() && std::find(known.begin(), known.end(), present) != known.end())
     return "; it is now called \"" + present + "\"";
   const auto nearer = [&](const std::string& a, const std::string& b) {
     return typing_slips(given, a) < typing_slips(given, b);

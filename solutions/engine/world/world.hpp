@@ -127,7 +127,7 @@ inline constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;
 
 /// Counts and residual of the last step.
 struct StepReport {
-  int pairs = 0;  ///< pairs of shapes examined by the narrow phase
+  int pairs = 0;  ///< pairs of shapes that may touch by their bounds
   int contacts = 0;
   int impacts = 0;
   int rows = 0;

@@ -40,6 +40,7 @@ World<Dof>::World(Settings<Dof> settings)
     reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   require_soft_alone(settings_);
+  if (settings_.soft_steps) parts_ = settings_.soft_steps->substeps;
   require_for_order_four();
   require_weight_in_box(settings_, settings_.force || settings_.wrench, settings_.friction > 0);
 }
