@@ -1,6 +1,8 @@
 // A flat box on a grid of contacts: many more rows than degrees of freedom. Any Σ > 0 distributes the load evenly.
 //
 //   gap = -m g/(n k),  λ = h m g/n,  for each of n contacts
+#include <limits>
+
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -24,7 +26,8 @@ class FlatBox : public WorldScene<6> {
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
         grid.push_back(Vec3(half * (2.0 * a / (n - 1) - 1), half * (2.0 * b / (n - 1) - 1), -height));
-    share_ /= static_cast<double>(grid.size());
+    corners_ = n * n;
+    share_ /= corners_;
     body_ = world_.add({.x = Vec3(0, 0, height),
                         .mass = m,
                         .principal = solid_box_moments(m, Vec3(half, half, height)),
@@ -34,8 +37,9 @@ class FlatBox : public WorldScene<6> {
   }
 
   void observe() override {
-    error_ = 0;
+    if (world_.steps() == 0 || world_.settings().stepper) return;  // the impulses are not known
     const auto contacts = static_cast<int>(world_.contacts().size());
+    error_ = contacts < corners_ ? share_ : 0;  // an open contact carries nothing
     for (int c = 0; c < contacts; ++c)
       error_ = larger(error_, std::abs(world_.lambda(c) * world_.parts() - share_));
   }
@@ -53,9 +57,9 @@ class FlatBox : public WorldScene<6> {
   }
 
  private:
-  int body_;
+  int body_, corners_;
   double share_, rest_gap_, height_;
-  double error_ = 0;
+  double error_ = std::numeric_limits<double>::quiet_NaN();  // until impulses are known
 };
 
 }  // namespace

@@ -42,6 +42,12 @@ TEST(DirectSolver, SharesTheLoadOfAHundredContacts) {
   EXPECT_LE(error_of("flat_box_100_contacts", {}, h, 2), 1e-8);
   EXPECT_LE(error_of("flat_box_100_contacts", {{"mu", "0.5"}}, h, 1), 1e-8);
   EXPECT_GT(error_of("flat_box_100_contacts", {}, h, 2, {}, "gauss_seidel"), 0.1) << "sweeps distribute slowly";
+  const SceneDescription& description = find_scene("flat_box_100_contacts");
+  const auto scene = description.build(with(description, {}), {.h = h, .solver = "direct"});
+  scene->hand().pull(1, Vec3::Zero(), Vec3(0, 0, 3));
+  scene->advance(300);
+  scene->observe();
+  EXPECT_EQ(scene->error(), 1) << "in the air no contact carries its share";
 }
 
 TEST(DirectSolver, SolvesContradictoryRows) {

@@ -104,11 +104,15 @@ TEST(PlainEngine, AgreesWithTheFastEngineByAnySolver) {
   by("stiff_wire", {}, {.h = 0, .solver = "geometric_stiffness"});
 }
 
-/// Friction takes energy, and nothing pushes balls in free flight: neither is a fault of the step, whose contacts and
-/// rows are its own.
+/// Friction takes energy, a motor brings it in, and nothing pushes balls in free flight: none of these is a fault of the
+/// step, whose contacts and rows are its own.
 TEST(PlainEngine, HasASoundVerdictWhereItIsRight) {
-  for (const auto& [scene, settings] : std::vector<std::pair<std::string, SceneSettings>>{
-           {"slide_to_roll", {}}, {"incline", {{"angle", "30"}}}, {"sliding_block", {}}, {"cradle", {}}}) {
+  for (const auto& [scene, settings] :
+       std::vector<std::pair<std::string, SceneSettings>>{{"slide_to_roll", {}},
+                                                          {"incline", {{"angle", "30"}}},
+                                                          {"sliding_block", {}},
+                                                          {"cradle", {}},
+                                                          {"flywheel", {}}}) {
     const SceneDescription& description = find_scene(scene);
     const auto plain = description.build(with(description, settings), method_of(description, Engine::plain));
     for (int n = 0; n < 100; ++n) {
@@ -117,6 +121,42 @@ TEST(PlainEngine, HasASoundVerdictWhereItIsRight) {
     }
     EXPECT_EQ(name_of(plain->verdict().state), "sound") << scene << ": " << plain->verdict().reason;
   }
+}
+
+TEST(PlainEngine, MayBringInTheEnergyOfASpring) {
+  const Method method{.h = 0.01, .solver = "direct", .engine = Engine::plain, .plain_solver = true};
+  World<6> world({.k = 1e6, .stepper = plain_stepper<6>(method)});
+  const int frame = world.add_fixed(Vec3::Zero()), body = world.add({.principal = Vec3::Ones()});
+  world.add_joint({.i = frame,
+                   .j = body,
+                   .kind = JointKind::slider,
+                   .axis = Vec3::UnitX(),
+                   .spring = Spring{.stiffness = 20, .rest = 1}});
+  RunCheck<6> check;
+  for (int n = 0; n < 100; ++n) {
+    world.step(method.h);
+    check.look(world, method.h);
+  }
+  EXPECT_GT(world.x(body).x(), 0.5);
+  EXPECT_EQ(check.verdict().state, State::sound) << check.verdict().reason;
+  EXPECT_EQ(check.verdict().note, "");
+}
+
+TEST(PlainEngine, LeavesTheErrorOfImpulsesUnknown) {
+  const SceneDescription& description = find_scene("flat_box_100_contacts");
+  const auto error_after = [&](int steps, Engine engine) {
+    const auto scene = description.build(with(description, {}),
+                                         {.h = description.h, .solver = description.solver, .engine = engine});
+    scene->observe();
+    for (int n = 0; n < steps; ++n) {
+      scene->advance(1);
+      scene->observe();
+    }
+    return scene->error();
+  };
+  EXPECT_TRUE(std::isnan(error_after(100, Engine::plain)));
+  EXPECT_TRUE(std::isnan(error_after(0, Engine::fast))) << "no step has computed impulses";
+  EXPECT_LT(error_after(300, Engine::fast), 1e-8);
 }
 
 /// Chapter 13: hinges, sliders, limits and motors.

@@ -14,6 +14,10 @@ static bool may_stop(const Joint& joint) {
   return joint.limits || joint.kind == JointKind::rope;
 }
 
+static bool is_driven(const Joint& joint) {
+  return joint.motor || joint.spring;
+}
+
 /// Returns the energy that closed contacts may give [J]: ½ k gap². Contacts without a k of their own leave no speed,
 /// but they lift what lies on them out of an overlap, by at most the sum of all forces, `load` [N]. 0 with soft steps.
 template <int Dof>
@@ -105,7 +109,6 @@ static bool stops(const World<Dof>& world) {
 
 template <int Dof>
 void EnergyBalance<Dof>::settle(const World<Dof>& world) {
-  const auto is_driven = [](const Joint& joint) { return joint.motor || joint.spring; };
   if (std::any_of(world.joints().begin(), world.joints().end(), is_driven)) given_ += std::max(0.0, gained());
   --settling_;
   const auto has_default_k = [](const Joint& joint) { return joint.has_default_k; };
@@ -136,12 +139,15 @@ void EnergyBalance<Dof>::add_step(const World<Dof>& world, double h, double larg
   // The contacts and rows of a stepper are its own.
   const bool own = world.settings().stepper != nullptr, touches = own && world.shapes().may_touch();
   had_rows_ = had_rows_ || !world.rows().empty() || touches || (own && !world.joints().empty());
-  may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches;
+  // So is the work of its motors and springs, which may have either sign.
+  const bool drives = own && std::any_of(world.joints().begin(), world.joints().end(), is_driven);
+  may_bring_in_ = may_bring_in_ || drives;
+  may_dissipate_ = may_dissipate_ || !world.contacts().empty() || touches || drives;
   T_ = spook::kinetic_energy(bodies);
   if (first_) springs_ = energy_of_contacts(world, load) + energy_of_joints(world, gaps_);
   first_ = false;
   stored_ = energy_stored(world);
-  stopped_ = stopped_ || touches || stops(world);
+  stopped_ = stopped_ || touches || drives || stops(world);
   if (settling_ > 0) settle(world);
   most_ = std::max(most_, T_);
   too_much_ = share_too_much *

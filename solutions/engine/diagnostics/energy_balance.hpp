@@ -31,7 +31,7 @@ class EnergyBalance {
 
   double gained() const { return T_ - started_ - given_ + contradicted_ - springs_; }  ///< [J]
   double lost() const { return started_ + given_ - T_ - contradicted_ - stored_; }     ///< [J]
-  bool gained_too_much() const { return gained() > too_much_; }
+  bool gained_too_much() const { return !may_bring_in_ && gained() > too_much_; }
   bool lost_too_much() const { return settling_ == 0 && lost() > too_much_; }
 
   /// The energy that joints took from given velocities which contradicted them [J]; 0 until five steps have passed.
@@ -47,8 +47,8 @@ class EnergyBalance {
   std::size_t bodies() const { return x_before_.size(); }
 
   void state(StateStream& s) {
-    s(first_, settling_, had_rows_, may_dissipate_, stopped_, T_, started_, given_, springs_, stored_,
-      contradicted_, gaps_, most_, too_much_, lag_, W_before_, x_before_);
+    s(first_, settling_, had_rows_, may_dissipate_, may_bring_in_, stopped_, T_, started_, given_, springs_,
+      stored_, contradicted_, gaps_, most_, too_much_, lag_, W_before_, x_before_);
   }
 
  private:
@@ -61,6 +61,7 @@ class EnergyBalance {
   int settling_ = 0;   // remaining steps in which joints may take given velocities
   bool had_rows_ = false;
   bool may_dissipate_ = false;
+  bool may_bring_in_ = false;         // motors or springs of a stepper, whose work is not known
   bool stopped_ = false;              // while settling, something else than joints may have taken energy
   double T_ = 0;                      // kinetic energy now [J]
   double started_ = 0;                // at the start [J]
