@@ -50,12 +50,13 @@ class Cloth : public WorldScene<Dof> {
       world_.add_joint({.i = support, .j = corner});
     }
     for (const Link& link : net.links) world_.add_joint({.i = link.i, .j = link.j, .length = link.length});
+    threads_end_ = static_cast<int>(world_.joints().size());
     if (p.choice("start") == "half_step") world_.start_half_step_back(h_);
     momentum_ = momentum(world_.bodies());
   }
 
   void observe() override {
-    for (int joint = supports_; joint < static_cast<int>(world_.joints().size()); ++joint)
+    for (int joint = supports_; joint < threads_end_; ++joint)
       largest_error_ = larger(largest_error_, std::abs(strain(joint) - strain_of_pull(joint)));
     // The balance holds for a single step.
     const Vec3 p = momentum(world_.bodies());
@@ -100,8 +101,7 @@ class Cloth : public WorldScene<Dof> {
 
   double largest_strain() const {
     double most = 0;
-    for (int joint = supports_; joint < static_cast<int>(world_.joints().size()); ++joint)
-      most = larger(most, std::abs(strain(joint)));
+    for (int joint = supports_; joint < threads_end_; ++joint) most = larger(most, std::abs(strain(joint)));
     return most;
   }
 
@@ -112,7 +112,8 @@ class Cloth : public WorldScene<Dof> {
   }
 
   double g_, weight_, k_;
-  int supports_ = 0;             // number of supports, which are the first joints; the others are threads
+  int supports_ = 0;             // number of supports, which are the first joints
+  int threads_end_ = 0;          // number of supports and threads; a hand's joint comes after them
   Vec3 balance_ = Vec3::Zero();  // R by the change of momentum in the last step [N]
   Vec3 momentum_;
   std::int64_t observed_ = 0;  // step to which momentum_ belongs

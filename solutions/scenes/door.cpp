@@ -30,6 +30,7 @@ class Door : public WorldScene<6> {
       : WorldScene({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")}, method),
         upright_(Eigen::AngleAxisd(radians(p.number("lean")), Vec3::UnitY())),
         arm_(p.number("width") / 2),
+        hinges_(p.count("hinges")),
         along_(p.number("m") * p.number("g") * std::cos(radians(p.number("lean")))),
         answer_(radians(p.number("angle")), std::sqrt(door_squared_rate(p))) {
     const Vec3 half = door_half_sides(p);
@@ -41,9 +42,8 @@ class Door : public WorldScene<6> {
                         .q = q,
                         .principal = solid_box_moments(m, half),
                         .corners = box_corners(half)});
-    const int hinges = p.count("hinges");
-    for (int n = 0; n < hinges; ++n) {
-      const double height = hinges == 1 ? 0 : 0.8 * half.z() * (2.0 * n / (hinges - 1) - 1);
+    for (int n = 0; n < hinges_; ++n) {
+      const double height = hinges_ == 1 ? 0 : 0.8 * half.z() * (2.0 * n / (hinges_ - 1) - 1);
       world_.add_joint({.i = post,
                         .j = door_,
                         .p_i = upright_ * Vec3(0, 0, height),
@@ -73,7 +73,7 @@ class Door : public WorldScene<6> {
   }
   std::vector<double> sample() const override {
     double along = 0;
-    for (int n = 0; n < static_cast<int>(world_.joints().size()); ++n)
+    for (int n = 0; n < hinges_; ++n)  // without the joint of a hand
       along += world_.joint_force(n).dot(upright_ * Vec3::UnitZ());
     return {time(), world_.joint_position(0) / radians(1), angle_ / radians(1), along, along_};
   }
@@ -83,7 +83,9 @@ class Door : public WorldScene<6> {
   Quat turned(double angle) const { return upright_ * Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
 
   Quat upright_;  // orientation of the post
-  double arm_, along_;
+  double arm_;
+  int hinges_;
+  double along_;
   PlanePendulum answer_;
   double angle_ = 0;  // the answer's [rad]
   int door_ = 0;

@@ -189,6 +189,28 @@ TEST(TakeStateFrom, CopiesTheHand) {
   EXPECT_FALSE(find_scene("orbit").build(with(find_scene("orbit"), {}), method)->take_state_from(*first));
 }
 
+TEST(Hand, IsNoPartOfAClothOrADoor) {
+  for (const char* model : {"point", "body"}) {
+    const SceneDescription& cloth = find_scene("cloth");
+    const auto scene =
+        cloth.build(with(cloth, {{"cells", "4"}, {"model", model}}), {.h = cloth.h, .solver = "direct"});
+    scene->hand().pull(12, Vec3::Zero(), Vec3(0.5, 0.5, 0.2));
+    for (int n = 0; n < 50; ++n) {
+      scene->advance(1);
+      scene->observe();
+    }
+    EXPECT_LT(scene->sample().at(3), 1e-2) << "the largest strain of a thread, " << model;
+    EXPECT_LT(scene->error(), 1e-2) << model;
+  }
+  const SceneDescription& door = find_scene("door");
+  const auto scene = door.build(with(door, {{"lean", "0"}}), {.h = door.h, .solver = door.solver});
+  const int body = 1;
+  scene->hand().pull(body, Vec3::Zero(), scene->frame().x[body] + Vec3(0, 0, 1));
+  scene->advance(20);
+  EXPECT_LT(scene->sample().at(3), -0.9 * scene->sample().at(4) * (640 / g - 1))
+      << "hinges hold the door down against a spring of 640 N/m for each kg";
+}
+
 TEST(Recording, GhostsAreWhereTheAnswerIs) {
   int scenes_with_ghosts = 0;
   for (const SceneDescription& description : scenes()) {
