@@ -26,7 +26,7 @@ class Cradle : public WorldScene<3> {
                                          .threshold = rest * p.number("v0"),
                                          .max_passes = 100'000}},
                    method),
-        late_(p.number("late")),
+        until_((touch - p.number("late")) * h_),
         before_(static_cast<std::size_t>(p.count("bodies")), 0.0) {
     const double radius = p.number("radius"), v0 = p.number("v0");
     if (v0 * h_ > radius) reject("v0 h", v0 * h_, "at most the radius, or the balls jump through each other");
@@ -34,7 +34,7 @@ class Cradle : public WorldScene<3> {
     // The spheres at rest touch exactly: with a radius of 24 bits all sums are exact. The arriving sphere may be early
     // by a few rounding errors. If it were late, its touch would be detected a step later.
     const double touching = to_24_bits(radius);
-    const double way = (touch - late_) * v0 * h_;
+    const double way = (touch - p.number("late")) * v0 * h_;
     for (int i = 0; i < p.count("bodies"); ++i)
       world_.add({.x = Vec3(i == 0 ? (roundings - 1) * way : 2 * i * touching, 0, 0),
                   .v = Vec3(i == 0 ? v0 : 0, 0, 0),
@@ -46,13 +46,15 @@ class Cradle : public WorldScene<3> {
   }
 
   void observe() override {
-    const std::vector<double>& answer = world_.steps() > touch ? after_ : before_;
+    // The step after the touch finds it.
+    has_hit_ = has_hit_ || time() - h_ >= until_ - 1e-12 * h_;
+    const std::vector<double>& answer = has_hit_ ? after_ : before_;
     error_ = 0;
     for (std::size_t i = 0; i < answer.size(); ++i) error_ = larger(error_, std::abs(v(i) - answer[i]));
   }
   double error() const override { return relative(error_, before_[0]); }
   std::vector<Ghost> ghosts() const override {
-    const double until = (touch - late_) * h_, since = std::max(0.0, time() - until);
+    const double since = std::max(0.0, time() - until_);
     std::vector<Ghost> balls;
     for (std::size_t i = 0; i < start_x_.size(); ++i)
       balls.push_back({.body = static_cast<int>(i),
@@ -60,7 +62,7 @@ class Cradle : public WorldScene<3> {
     return balls;
   }
 
-  void results(StateStream& s) override { s(error_); }
+  void results(StateStream& s) override { s(until_, has_hit_, start_x_, error_); }
 
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]", "energy [J]"};
@@ -82,11 +84,13 @@ class Cradle : public WorldScene<3> {
     return std::ldexp(std::round(std::ldexp(mantissa, 24)), exponent - 24);
   }
 
-  static constexpr int touch = 10;  // the first touch is at the end of this step
+  /// The first touch is at the end of this step, or earlier by the fraction `late`.
+  static constexpr int touch = 10;
   static constexpr double roundings = 2 * touch * std::numeric_limits<double>::epsilon();
   static constexpr double rest = 1e-9;  // relative to v0: slower approaches are ignored
 
-  double late_;  // [steps]
+  double until_;          // time of the first touch, by the step at the start [s]
+  bool has_hit_ = false;  // a step has found the touch
   std::vector<Vec3> start_x_;
   std::vector<double> before_, after_;
   double error_ = 0;

@@ -20,6 +20,7 @@
 #include "scenes/method.hpp"
 #include "scenes/parameters.hpp"
 #include "scenes/plain_engine.hpp"
+#include "scenes/same_sizes.hpp"
 
 namespace spook {
 
@@ -73,8 +74,11 @@ class Scene {
   virtual Hand& hand() = 0;
 
   /// Copies positions, velocities and the hand's balls and grip from a scene that was built with other parameters.
-  /// Returns false, and changes nothing, if the two scenes have different bodies.
+  /// Returns false, and changes nothing, if the two scenes have different bodies, or bodies and joints of other sizes.
   virtual bool take_state_from(const Scene& other) = 0;
+
+  /// Copies what observe() has computed, from a scene that was built with the same parameters and another method.
+  virtual void take_results_from(Scene& other) = 0;
 
   /// Writes or reads all that steps have changed, so that a run continues with the same bits. A reading scene must have
   /// been built with the same parameters and method. Throws as World::state.
@@ -138,10 +142,17 @@ class WorldScene : public Scene {
   }
   bool take_state_from(const Scene& other) final {
     const auto* before = dynamic_cast<const WorldScene*>(&other);
-    if (!before || !hand_.take_over(before->hand_)) return false;
+    if (!before || !has_same_sizes(world_, before->world_) || !hand_.take_over(before->hand_)) return false;
     world_.take_state_from(before->world_);
     since_ = before->time();
     return true;
+  }
+  void take_results_from(Scene& other) final {
+    std::string bytes;
+    StateStream written(&bytes);
+    dynamic_cast<WorldScene&>(other).results(written);
+    StateStream unread{std::string_view(bytes)};
+    results(unread);
   }
   void state(StateStream& s) final {
     s(world_, run_check_, since_);

@@ -72,7 +72,7 @@ class StiffWire : public WorldScene<3> {
 
   /// The energy half a step ago, over the energy released by the swing; 1 at the start.
   double energy() const {
-    if (world_.steps() == 0) return 1;
+    if (time() == 0) return 1;
     return 1 + (half_step_energy(world_.bodies(), g_, 2 * velocity_lag()) - start_energy_) / scale_;
   }
 

@@ -21,7 +21,8 @@ class Play {
   /// Obeys one line of JSON. Answers an invalid command by a line {"refused": why}.
   void line(const std::string& text);
 
-  /// Advances by one frame and writes it. Does nothing while held.
+  /// Advances by one frame and writes it. Does nothing while held. If a step throws, it writes why: a run that diverges
+  /// is lost, and any other run is paused.
   void frame();
 
   /// Tells whether a page has paused the run, or the run is lost.
@@ -31,12 +32,14 @@ class Play {
   double frame_seconds() const;
 
  private:
-  void build(const Scene* before);
+  void build(Scene* before);
   void begin();
   void go(std::int64_t steps);
   void obey(const std::string& name, const Json& value);
   void touch(const std::string& name, const Json& value);
+  void require_plain_step_after(const std::string& name, const Json& value) const;
   void set(const Json& values);
+  void refuse(const std::string& why);
 
   RunCommand run_;
   double fps_;

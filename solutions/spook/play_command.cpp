@@ -13,6 +13,8 @@ namespace spook {
 
 using Clock = std::chrono::steady_clock;
 
+static constexpr double longest_pause = 86400;  // [s], which the clock and poll() can count
+
 /// Reads lines of standard input as they arrive.
 class Input {
  public:
@@ -55,7 +57,7 @@ void PlayCommand::execute(std::ostream& out) const {
     } else if (Clock::now() >= due) {
       play.frame();
       // A run slower than real time runs at full speed, and does not catch up.
-      const auto pause = std::chrono::duration<double>(play.frame_seconds());
+      const auto pause = std::chrono::duration<double>(std::min(play.frame_seconds(), longest_pause));
       due = std::max(due + std::chrono::duration_cast<Clock::duration>(pause), Clock::now());
     }
   }

@@ -189,6 +189,53 @@ TEST(TakeStateFrom, CopiesTheHand) {
   EXPECT_FALSE(find_scene("orbit").build(with(find_scene("orbit"), {}), method)->take_state_from(*first));
 }
 
+TEST(TakeStateFrom, RefusesOtherSizesOnly) {
+  const auto takes = [](const std::string& name, const SceneSettings& other) {
+    const SceneDescription& scene = find_scene(name);
+    const Method method{.h = scene.h, .solver = scene.solver};
+    const auto first = scene.build(Parameters(scene.parameters), method);
+    first->hand().drop(Vec3(0, 0, 50), 0.1, 1);
+    first->advance(10);
+    return scene.build(with(scene, other), method)->take_state_from(*first);
+  };
+  EXPECT_FALSE(takes("stack", {{"radius", "0.8"}})) << "balls";
+  EXPECT_FALSE(takes("tower", {{"side", "2"}})) << "boxes";
+  EXPECT_FALSE(takes("flat_box_100_contacts", {{"side", "2"}})) << "corners";
+  EXPECT_FALSE(takes("pile", {{"shape", "box"}}));
+  EXPECT_FALSE(takes("pendulum", {{"l", "2"}})) << "a length of a joint";
+  EXPECT_FALSE(takes("door", {{"width", "2"}})) << "points of a joint";
+  for (const auto& [scene, other] :
+       std::vector<std::pair<std::string, SceneSettings>>{{"stack", {{"ratio", "3"}}},
+                                                          {"tower", {{"k", "1e7"}}},
+                                                          {"pendulum", {{"angle", "20"}}},
+                                                          {"orbit", {{"eccentricity", "0.1"}}},
+                                                          {"four_bar", {{"g", "5"}}},
+                                                          {"door", {{"angle", "20"}}}})
+    EXPECT_TRUE(takes(scene, other)) << scene;
+}
+
+/// After the cradle's impact, and in the middle of errors so far.
+TEST(TakeResultsFrom, KeepsTheErrorOfTheRunSoFar) {
+  const auto watch = [](Scene& scene, int steps) {
+    for (int n = 0; n < steps; ++n) {
+      scene.advance(1);
+      scene.observe();
+    }
+  };
+  for (const SceneDescription& description : scenes()) {
+    const Parameters parameters(description.parameters);
+    const Method method{.h = description.h, .solver = description.solver};
+    const auto whole = description.build(parameters, method), first = description.build(parameters, method);
+    watch(*whole, 40);
+    watch(*first, 20);
+    const auto second = description.build(parameters, method);
+    ASSERT_TRUE(second->take_state_from(*first)) << description.name;
+    second->take_results_from(*first);
+    watch(*second, 20);
+    EXPECT_NEAR(second->error(), whole->error(), 1e-9 * whole->error() + 1e-12) << description.name;
+  }
+}
+
 TEST(Hand, IsNoPartOfAClothOrADoor) {
   for (const char* model : {"point", "body"}) {
     const SceneDescription& cloth = find_scene("cloth");

@@ -259,7 +259,10 @@ class Play(unittest.TestCase):
                                ({"set": {"nothing": 1}}, "nothing"), ({"set": {"solver": "magic"}}, "magic"),
                                ({"rate": 0}, "rate"), ({"pause": "yes"}, "boolean"), ({"fly": True}, "fly"),
                                ({"drop": {"x": [0, 0, 0], "radius": -1, "mass": 1}}, "radius"),
-                               ({"step": "many"}, "number")):
+                               ({"step": "many"}, "number"), ({"step": 1.5}, "whole number up to 1e9, but is 1.5"),
+                               ({"rate": 1e-12}, "from 1e-4 to 100, but is 1e-12"),
+                               ({"push": {"body": 1.7, "impulse": [0, 0, 1]}}, "body must be a whole number"),
+                               ({"pull": {"body": 0.7, "point": [0, 0, 0], "to": [0, 0, 0]}}, "but is 0.7")):
             self.tell(process, **command)
             self.assertIn(named, self.until(process, lambda line: "refused" in line)["refused"])
         process.stdin.write("this is no JSON\n[1, 2]\n\n")
@@ -267,6 +270,83 @@ class Play(unittest.TestCase):
         self.until(process, lambda line: "refused" in line)
         now = self.until(process, lambda line: "step" in line)["time"]
         self.frame_after(process, now + 0.1)
+
+    def frame_of(self, process: subprocess.Popen, **command) -> dict:
+        """Returns the first frame after a command that is answered by a header."""
+        self.tell(process, **command)
+        self.assertIn("format", self.until(process, lambda line: "format" in line or "refused" in line))
+        return json.loads(process.stdout.readline())
+
+    def after(self, steps: int, *arguments: str) -> tuple[subprocess.Popen, dict]:
+        """Returns a paused run that has made so many steps and perhaps a few more, and its frame."""
+        process = self.play(*arguments)
+        self.tell(process, pause=True)
+        self.tell(process, step=steps)
+        return process, self.until(process, lambda line: line.get("step", 0) >= steps)
+
+    def test_an_option_of_the_method_keeps_the_error(self):
+        for scene, steps, options in (("cradle", 30, ({"iterations": 60}, {"h": 0.006}, {"warm_start": "on"})),
+                                      ("cradle", 3, ({"h": 0.004}, {"iterations": 60})),  # before the impact
+                                      ("bouncing_ball", 1000, ({"iterations": 60}, {"h": 0.002}))):
+            process, frame = self.after(steps, scene)
+            self.assertLess(frame["error"], 1e-12)
+            for option in options:
+                frame = self.frame_of(process, set=option)
+                self.assertLess(frame["error"], 1e-12, (scene, option))
+                self.tell(process, step=40)
+                after = self.until(process, lambda line: "step" in line)
+                self.assertGreater(after["time"], frame["time"])
+                self.assertLess(after["error"], 1e-12, (scene, option))
+                self.assertNotIn("touched", after)
+
+    def test_a_parameter_of_the_scene_marks_the_run_as_touched(self):
+        process, before = self.after(50, "orbit")
+        same = self.frame_of(process, set={"eccentricity": "1/2"})  # its default
+        self.assertNotIn("touched", same)
+        changed = self.frame_of(process, set={"eccentricity": 0.3})
+        self.assertEqual((changed["touched"], changed["x"]), (True, before["x"]))
+        self.assertTrue(self.frame_of(process, set={"h": 0.01})["touched"], "it stays so")
+        again = self.frame_of(process, restart=True)
+        self.assertNotIn("touched", again)
+
+    def test_other_sizes_begin_the_run_again(self):
+        for scene, change in (("stack", {"radius": 0.8}), ("pendulum", {"l": 2}), ("tower", {"side": 1.5}),
+                              ("cloth", {"side": 2}), ("flat_box_100_contacts", {"side": 2})):
+            process, before = self.after(50, scene)
+            self.assertGreater(before["time"], 0)
+            frame = self.frame_of(process, set=change)
+            self.assertEqual((frame["time"], frame.get("touched")), (0, None), scene)
+            self.tell(process, step=100)
+            far = np.abs(crowd(self.until(process, lambda line: "step" in line)["x"], 3) - crowd(frame["x"], 3)).max()
+            self.assertLess(far, 5, scene)
+
+    def test_the_plain_engine_refuses_what_no_step_runs_and_goes_on(self):
+        process = self.play("orbit", "--engine", "plain")
+        bodies = json.loads(process.stdout.readline())["bodies"]
+        planet = next(k for k, body in enumerate(bodies) if not body.get("fixed"))
+        for paused in (False, True):
+            self.tell(process, pause=paused)
+            self.tell(process, pull={"body": planet, "point": [0, 0, 0], "to": [0, 0, 3]})
+            refused = self.until(process, lambda line: "refused" in line)["refused"]
+            self.assertRegex(refused, "plain engine .* cannot run a scene with a force field")
+            self.tell(process, step=5)
+            frame = self.until(process, lambda line: "step" in line)
+            self.assertEqual(len(crowd(frame["x"], 3)), len(bodies))
+            self.assertNotIn("touched", frame)
+
+        process = self.play("top", "--engine", "plain")
+        self.tell(process, set={"update": "exponential"})
+        self.assertIn("rotation update", self.until(process, lambda line: "refused" in line)["refused"])
+        self.frame_after(process, self.until(process, lambda line: "step" in line)["time"] + 0.1)
+
+    def test_the_plain_engine_pulls_and_drops_what_a_step_can(self):
+        process = self.play("stack", "--engine", "plain")
+        self.tell(process, pull={"body": 3, "point": [0, 0, 0], "to": [0, 0, 5]})
+        self.assertEqual(len(self.until(process, lambda line: "format" in line and line["joints"])["joints"]), 1)
+        frame = self.until(process, lambda line: "x" in line and crowd(line["x"], 3)[3, 2] > 4)
+        self.assertTrue(frame["touched"])
+        self.tell(process, drop={"x": [3, 0, 1], "radius": 0.25, "mass": 2})
+        self.until(process, lambda line: "format" in line and len(line["bodies"]) == 6)
 
     def test_a_run_that_is_lost_says_so_and_can_be_begun_again(self):
         process = self.play("oscillator", "--h", "2.1", "--set", "k=1")
@@ -278,7 +358,7 @@ class Play(unittest.TestCase):
         self.frame_after(process, 1)
 
     def test_bad_options_are_refused_before_anything_is_written(self):
-        for call in ("obrit", "orbit --h x", "orbit --csv file", "orbit --fps -3", ""):
+        for call in ("obrit", "orbit --h x", "orbit --csv file", "orbit --fps -3", "andrews --engine plain", ""):
             done = subprocess.run([SPOOK, "play", *call.split()], capture_output=True, text=True, timeout=120,
                                   stdin=subprocess.DEVNULL)
             self.assertEqual((done.returncode, done.stdout), (2, ""), call)

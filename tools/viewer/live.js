@@ -2,7 +2,7 @@
 // A live run, or two side by side: receives frames and sends commands through one of transports.js for each.
 
 const KEPT = 1200;      // past frames that remain available
-const GROWN = 1.1;      // growth of the bodies' box after which the view is fitted again, unless the run was touched
+const GROWN = 1.1;      // growth of the bodies' box after which the view is fitted again, unless a hand moves bodies
 const FARTHEST = 4;     // largest size that is still fitted, over the first size
 const GRAPHS_EVERY = 150;  // [ms]
 
@@ -31,6 +31,7 @@ class Live {
     this.figure = figure;
     this.running = true;
     this.sent = Promise.resolve();
+    this.handled = false;  // a reader has pulled, pushed or dropped a body since the run began
     document.body.classList.add("live");
     document.getElementById("drop").onclick = () => this.drop();
     document.getElementById("reset").onclick = () => this.reset();
@@ -131,8 +132,8 @@ class Live {
     this.refreshed = now;
     for (const graph of viewer.graphs) graph.prepare();
     const last = lastOf(this.run.frames);
-    if (this.figure && this.figure.lasts && last.time >= this.figure.lasts && !last.touched) this.again();
-    if (!viewer.picture.camera.untouched() || last.touched) return;
+    if (this.figure && this.figure.lasts && last.time >= this.figure.lasts && !this.handled) this.again();
+    if (!viewer.picture.camera.untouched() || this.handled) return;
     const runs = this.sides.map(({ run }) => run), box = boundsOf(runs), left = box.size >= FARTHEST * this.firstSize;
     if (box.size > GROWN * viewer.picture.box.size && !left) {
       viewer.picture.show(runs);
@@ -147,6 +148,7 @@ class Live {
     const { frames } = this.run;
     if (this.left === frames) return;
     this.left = frames;
+    this.handled = false;
     this.send({ restart: true });
   }
 
@@ -198,11 +200,13 @@ class Live {
 
   restart() {
     this.running = true;
+    this.handled = false;
     this.send({ restart: true });
     return this.send({ pause: false });
   }
 
   pull(hit, to) {
+    this.handled = true;
     this.viewer.picture.hand = { body: hit.body, local: hit.local, to };
     this.viewer.dirty();
     this.wanted = { pull: { body: hit.body, point: hit.local, to } };
@@ -229,11 +233,13 @@ class Live {
 
   /** Pushes a body away from the eye. The impulse gives a mass of 1 kg a speed of the scene's size per second. */
   push(hit, eye) {
+    this.handled = true;
     const along = eye.getWorldDirection(new THREE.Vector3()).multiplyScalar(this.viewer.picture.box.size);
     this.send({ push: { body: hit.body, impulse: along.toArray() } });
   }
 
   drop() {
+    this.handled = true;
     const { box } = this.viewer.picture, like = this.run.header.bodies.find((body) => body.shape === "ball");
     const radius = like ? like.radius : 0.05 * box.size;
     this.send({ drop: { x: [box.centre.x, box.centre.y, box.high.z + 2 * radius], radius, mass: 1 } });
