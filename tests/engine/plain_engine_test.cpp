@@ -115,7 +115,7 @@ TEST(PlainEngine, HasASoundVerdictWhereItIsRight) {
                                                           {"flywheel", {}}}) {
     const SceneDescription& description = find_scene(scene);
     const auto plain = description.build(with(description, settings), method_of(description, Engine::plain));
-    for (int n = 0; n < 100; ++n) {
+    for (std::int64_t n = step_count(description.h, description.time); n > 0; --n) {
       plain->advance(1);
       plain->judge();
     }

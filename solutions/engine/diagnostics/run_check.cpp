@@ -73,10 +73,11 @@ static bool begins_anew(const std::vector<double>& history) {
   return false;
 }
 
-/// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
+/// Returns an upper bound of the products of a row's Jacobian with velocities [m/s]. The rows of a stepper are not known;
+/// they are taken for unit ones.
 template <int Dof>
 static double fastest_products(const World<Dof>& world) {
-  double longest = 0, fastest = 0;
+  double longest = world.settings().stepper ? 1 : 0, fastest = 0;
   for (const Row<Dof>& row : world.rows())
     longest = std::max({longest, row.Gi.squaredNorm(), row.Gj.squaredNorm()});
   for (const Twist<Dof>& W : world.bodies().motion.W) fastest = std::max(fastest, W.squaredNorm());
