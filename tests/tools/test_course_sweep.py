@@ -24,7 +24,7 @@ import grid
 import plot
 import run
 import runs
-from beside import require_free, require_single, with_changed
+from beside import require_distinct, require_free, require_single, with_changed
 from curves import matching
 from errors import BadInput, CourseError
 from extras import taken
@@ -286,6 +286,16 @@ class Words(unittest.TestCase):
                 with_changed(["stack"], name, "3", {"ratio"})
 
 
+    def test_an_option_is_swept_under_one_name(self):
+        for names, told in ((["max_parts", "max-parts"], "max-parts is swept twice, also as max_parts"),
+                            (["warm-start", "h", "warm_start"], "warm_start is swept twice, also as warm-start"),
+                            (["h", "h"], "h is swept twice$")):
+            with self.subTest(names), self.assertRaisesRegex(BadInput, f"^run: {told}"):
+                require_distinct(names, {"m"})
+        require_distinct(["max_parts", "max-parts"], {"max_parts"})  # a parameter, and an option
+        require_distinct(["my_a", "my-a"], {"my_a", "my-a"})
+
+
 class Merging(unittest.TestCase):
     CALL = ["s", "--sweep", "a=1,2", "--time", "1", "--set", "m=2", "g=3"]
 
@@ -421,6 +431,9 @@ class Refused(unittest.TestCase):
                 self.assertEqual(plot.without_sweep(more), words)
             for more, told in ((["--sweep", "rato=1,2"], "'rato' is neither a parameter of stack nor an option of run; did you mean ratio?"),
                                (["--sweep"], "plot: --sweep needs a value"),
+                               (["--sweep", "max_parts=1,2", "max-parts=4"],
+                                "plot: max-parts is swept twice, also as max_parts"),
+                               (["--sweep", "h=1", "h=2"], "plot: h is swept twice"),
                                (["--h", "1/30", "--sweep", "h=1,2"],
                                 "plot: h is swept, so --h has no effect: leave one of them out"),
                                (["--sweep", "h=1,,2"], "plot: --sweep must be NAME=VALUE,VALUE, but is 'h=1,,2'")):
@@ -759,6 +772,8 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0.2", "--csv", "no/a.csv"], ["no/a.csv", "that you may write"]),
                             (["orbit", "--csv", "a.parquet"], ["a.parquet", "--sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "h=1,2"], ["h is swept twice"]),
+                            (["stack", "--sweep", "max_parts=1,2", "max-parts=4,8"],
+                             ["max-parts is swept twice, also as max_parts"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
                             (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),
                             (["orbit", "--shard", "1/2"], ["--shard needs --sweep"]),

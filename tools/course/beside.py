@@ -1,6 +1,6 @@
 """Handles --beside: further runs of a scene, each with a change."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from errors import BadInput
@@ -67,6 +67,18 @@ def require_single(words: list[str]) -> None:
         value = value_of(f"--{name}", words)
         if value is not None and "," in value:
             raise BadInput(f'run: {name} must be one value, but is "{value}": a sweep of {name} takes a list')
+
+
+def require_distinct(names: Iterable[str], parameters: Collection[str]) -> None:
+    """Refuses a name that is swept twice, also an option that is spelled once with - and once with _."""
+    typed: dict[str, str] = {}
+    for name in names:
+        option = name.replace("_", "-")
+        meant = option if name not in parameters and option in (*_OPTIONS, _FLAG) else name
+        if meant in typed:
+            also = "" if typed[meant] == name else f", also as {typed[meant]}"
+            raise BadInput(f"run: {name} is swept twice{also}")
+        typed[meant] = name
 
 
 def require_free(words: list[str], name: str, parameters: Collection[str]) -> None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import peers
-from beside import require_free, value_of, with_changed
+from beside import require_distinct, require_free, value_of, with_changed
 from engine import parameters_of, program
 from errors import BadInput, CourseError
 from extras import axis_of, taken_lists
@@ -89,6 +89,7 @@ def without_sweep(more: list[str]) -> list[str]:
         scene = value_of("--scene", words) or "stack"
         words = [scene, *words]
         parameters = parameters_of(scene) if axes else set()
+        require_distinct((name for name, _ in axes), parameters)
         for name, _ in axes:
             require_free(words, name, parameters)
     except BadInput as error:

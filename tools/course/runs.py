@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from beside import require_free, value_of, with_changed, without
+from beside import require_distinct, require_free, value_of, with_changed, without
 from curves import Table, draw, matching
 from errors import BadInput
 from extras import Extras
@@ -50,6 +50,7 @@ class Runs:
         require_table(self._words)
         plain = without([word for word in self._words if word != "--json"], "--csv")
         names = self._parameters(plain[0])
+        require_distinct(axes, names)
         for name in axes:
             require_free(plain, name, names)
         index, count = self._extras.shard
