@@ -28,7 +28,7 @@ from beside import require_distinct, require_free, require_single, with_changed
 from curves import matching
 from errors import BadInput, CourseError
 from extras import taken
-from merging import Shard, merged
+from merging import Shard, merged, require_other
 from run import Shared
 from sweep import RESULTS, Result, Sweep, as_json, as_text
 
@@ -129,6 +129,19 @@ class Orders(unittest.TestCase):
         self.assertIn("h = 0.01: blown up: body 3", table)
         starts = Sweep({"start": ("a", "b")}, [result({"start": "a"}, 8), result({"start": "b"}, 2)], [])
         self.assertNotIn("order", as_text(starts))
+
+    def test_a_sweep_without_a_run_has_names_and_says_what_was_skipped(self):
+        for axes in ({"a": ("1",)}, {"h": ("1",), "a": ("2",)}, {"time": ("1",)}):
+            point = {name: values[0] for name, values in axes.items()}
+            self.assertEqual(Sweep(axes, [], []).names(), list(Sweep(axes, [result(point, 1.0)], []).table()[0]))
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "a.csv")
+            grid.write_csv(str(file), [], ["a", "h"])
+            self.assertEqual(file.read_text(), "a,h\n")
+        skipped = [Result({"a": "1"}, None, "no a")]
+        self.assertEqual(as_text(Sweep({"a": ("1",)}, [], skipped)), "1 combination skipped: no a")
+        said = as_text(Sweep({"a": ("1", "2")}, [Result({"a": "2"}, None, "blew up")], skipped))
+        self.assertEqual(said, "a = 2: blew up\n\n1 combination skipped: no a")
 
     def test_a_run_that_blew_up_keeps_its_step(self):
         for point, others, h in (({"h": "1/2"}, [], 0.5), ({"d": "1"}, [result({"d": "2"}, 1.0)], 0.5), ({"d": "1"}, [], None)):
@@ -299,10 +312,11 @@ class Words(unittest.TestCase):
 class Merging(unittest.TestCase):
     CALL = ["s", "--sweep", "a=1,2", "--time", "1", "--set", "m=2", "g=3"]
 
-    def shard(self, *words: str, file: str = "1.csv", **sha256: str) -> Shard:
+    def shard(self, *words: str, file: str = "1.csv", skipped: tuple = (), **sha256: str) -> Shard:
         cells = [{name: "" if value is None else str(value) for name, value in row.items()}
                  for row in Sweep({"a": ("1",)}, [result({"a": "1"}, 2.0)], []).table()]
         manifest = {"command": ["./course", "run", *words], "sha256": {"spook": "p"} | sha256}
+        manifest["skipped"] = [{"point": point, "why": why} for point, why in skipped]
         return Shard(file, cells, manifest, "t")
 
     def merge(self, *shards: Shard, call: list[str] = CALL) -> Sweep:
@@ -310,11 +324,39 @@ class Merging(unittest.TestCase):
         return merged(words, extras, shards)
 
     def test_tables_of_the_same_call_are_joined_whatever_its_order(self):
-        other = self.shard("s", "--set", "g=3", "--time=1", "--sweep", "a=1", "--set", "m=2", "--json", "--csv", "x.csv")
+        other = self.shard("s", "--set", "g=3", "--time=1", "--sweep", "a=1", "--set", "m=2", "--json", "--csv", "x.csv",
+                           skipped=[({"a": "2.0"}, "no a")])
         sweep = self.merge(self.shard(*self.CALL, "--shard", "1/2"), other)
-        self.assertEqual(([one.run["error"]["value"] for one in sweep.results], len(sweep.skipped)), ([2.0], 1))
+        self.assertEqual([one.run["error"]["value"] for one in sweep.results], [2.0])
+        self.assertEqual(sweep.skipped, [Result({"a": "2"}, None, "no a")])
         self.assertEqual((sweep.results[0].run["steps"], sweep.results[0].run["row_updates"]), (3, 2))
         self.assertIsInstance(sweep.results[0].run["steps"], int)
+
+    def test_what_is_in_no_table_is_an_error(self):
+        call = ["s", "--sweep", "a=1,2,3,4", *self.CALL[3:]]
+        with self.assertRaisesRegex(CourseError, "--merge lacks 2 of 4 combinations, the first with a = 3") as caught:
+            self.merge(self.shard(*call, skipped=[({"a": "2"}, "no a")]), call=call)
+        self.assertEqual(caught.exception.code, 1)
+
+    def test_a_manifest_of_before_it_had_what_was_skipped(self):
+        shard = self.shard(*self.CALL)
+        del shard.manifest["skipped"]
+        self.assertEqual(len(self.merge(shard, call=["s", "--sweep", "a=1", *self.CALL[3:]]).results), 1)
+
+    def test_a_merged_table_is_not_replaced(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            for file in ("1.csv", "2.csv", "2.csv.manifest.json", "old.csv"):
+                (folder / file).write_text("")
+            (folder / "soft.csv").symlink_to("2.csv")
+            (folder / "hard.csv").hardlink_to(folder / "1.csv")
+            (folder / "here").symlink_to(".")
+            tables = [str(folder / "1.csv"), str(folder / "2.csv")]
+            for file in ("1.csv", "2.csv", "./2.csv", "here/1.csv", "soft.csv", "hard.csv", "2.csv.manifest.json"):
+                with self.subTest(file), self.assertRaisesRegex(BadInput, f'--csv must be another .*, but is "{name}/{file}"'):
+                    require_other(f"{name}/{file}", tables)
+            for file in ("old.csv", "new.csv"):
+                require_other(f"{name}/{file}", tables)
 
     def test_tables_of_other_calls_are_refused(self):
         for words, told in ((["t", *self.CALL[1:]], "with the scene t, but this call has s"),
@@ -353,6 +395,43 @@ class OneProgram(unittest.TestCase):
                 self.assertEqual(run.run(["s", "--sweep", "h=0.1,0.2", "--json"]), 0)
         self.assertEqual(built.call_count, 1)
         self.assertEqual(len(json.loads(out.getvalue())["runs"]), 2)
+
+
+class Strict(unittest.TestCase):
+    def sweep(self, *words: str) -> tuple[int, list[dict]]:
+        """Returns the exit code and the runs of a sweep: one ends sound, one unsolved, and one by a signal."""
+        runs_of = {"a=1": ("sound", 0), "a=2": ("unsolved", 1)}
+
+        def start(asked, call):
+            if "--time" in asked:  # for its columns
+                Path(asked[asked.index("--csv") + 1]).write_text("time [s]\n")
+                return call(["true"])
+            if "a=3" in asked:
+                return call(["sh", "-c", "kill -9 $$"])
+            state, code = next(run for name, run in runs_of.items() if name in asked)
+            run = result({}, 1.0, state={"name": state, "reason": "r"}).run
+            return call(["sh", "-c", f"echo '{json.dumps(run)}'; exit {code}"])
+
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            code = runs.Runs(["s", "--json", "--strict"], taken(["s", "--sweep", *words])[0], start, lambda scene: {"a"}).all()
+        return code, json.loads(out.getvalue())["runs"]
+
+    def test_a_run_that_is_not_sound_has_its_numbers(self):
+        code, found = self.sweep("a=1,2")
+        self.assertEqual([(run["state"]["name"], run["error"]["value"], run["why"]) for run in found],
+                         [("sound", 1.0, None), ("unsolved", 1.0, None)])
+        self.assertEqual(code, 1)
+        self.assertEqual(self.sweep("a=1")[0], 0)
+
+    def test_a_run_that_a_signal_ends_is_lost(self):
+        code, found = self.sweep("a=1,3")
+        self.assertEqual((code, [run["why"] for run in found]), (1, [None, "it failed"]))
+
+    def test_the_exit_code_of_results(self):
+        unsolved, lost = result({}, 1.0, state={"name": "unsolved", "reason": "r"}), Result({}, None, "blew up")
+        for results, words, code in (([result({}, 1.0)], ["--strict"], 0), ([unsolved], [], 0), ([unsolved], ["--strict"], 1),
+                                     ([lost], [], 1), ([], ["--strict"], 0)):
+            self.assertEqual(runs.exit_code(results, words), code)
 
 
 class OnSlurm(unittest.TestCase):
@@ -599,8 +678,14 @@ class Runs(unittest.TestCase):
         self.assertEqual(*names)
         self.assertNotEqual(names[0], {"error"})
         self.assertEqual([run["error"]["value"] for run in merged["runs"]], [run["error"]["value"] for run in told["runs"]])
-        self.assertIn("3 combinations skipped: no row of the merged tables has these values",
-                      self.run_scene(*sweep, "--merge", "1.csv"))
+        half = self.box.course("run", *sweep, "--merge", "1.csv", "--csv", "half.csv")
+        self.assertEqual((half.returncode, half.stdout), (1, ""))
+        self.assertIn("--merge lacks 3 of 6 combinations, the first with bodies = 5, seed = 2", half.stderr)
+        self.assertFalse(list(self.box.root.glob("half.csv*")))
+        before = (self.box.root / "1.csv").read_bytes()
+        self.box.assert_refused(self, ["run", *sweep, "--merge", "1.csv", "2.csv", "--csv", "./1.csv"],
+                                ["--csv must be another file than the merged tables", '"./1.csv"'])
+        self.assertEqual((self.box.root / "1.csv").read_bytes(), before)
         self.run_scene(*sweep, "--merge", "1.csv", "2.csv", "--csv", "all.csv")
         joined = list(csv.DictReader(io.StringIO((self.box.root / "all.csv").read_text())))
         self.assertEqual(list(joined[0]), list(rows[0]))
@@ -620,7 +705,24 @@ class Runs(unittest.TestCase):
     def test_combinations_that_are_refused_are_counted(self):
         said = self.run_scene("stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random")
         self.assertEqual(len(re.findall(r"^(?:direct|gauss_seidel) ", said, re.MULTILINE)), 3)
-        self.assertIn("1 combination skipped: with a row order, solver must be gauss_seidel", said)
+        why = "1 combination skipped: with a row order, solver must be gauss_seidel"
+        self.assertIn(why, said)
+        call = ["stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random"]
+        parts = [self.run_scene(*call, "--shard", f"{k}/4", "--csv", f"part{k}.csv") for k in range(1, 5)]
+        self.assertEqual([why in part for part in parts], [False, True, False, False])
+        self.assertEqual((self.box.root / "part2.csv").read_text(), (self.box.root / "part1.csv").read_text().split("\n")[0] + "\n")
+        self.assertIn(why, self.run_scene(*call, "--merge", *(f"part{k}.csv" for k in range(1, 5)), "--csv", "all.csv"))
+        self.assertIn(why, self.run_scene(*call, "--merge", "all.csv"))
+        manifest = self.box.root / "part2.csv.manifest.json"
+        manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {"skipped": [1]}))
+        self.box.assert_refused(self, ["run", *call, "--merge", "part2.csv"], ['"part2.csv" needs its manifest'])
+
+    def test_what_is_strict_has_the_numbers_of_all_runs(self):
+        told = json.loads(self.run_scene("stack", "--sweep", "ratio=1,10", "--strict", "--json", code=1))
+        self.assertEqual([run["state"]["name"] for run in told["runs"]], ["sound", "unsolved"])
+        self.assertTrue(all(run["error"]["value"] > 0 for run in told["runs"]))
+        self.assertNotIn("lost", self.run_scene("stack", "--sweep", "ratio=1,10", "--strict", "--csv", "strict.csv", code=1))
+        self.run_scene("stack", "--sweep", "ratio=1,10", "--strict", "--merge", "strict.csv", code=1)
 
     def test_a_file_sweeps_as_a_scene_does(self):
         (self.box.root / "tower.json").write_text(self.box.course("scenes", "tower", "--set", "boxes=2", "--export").stdout)

@@ -233,24 +233,26 @@ def student_t(freedom: int, probability: float = 0.95) -> float:
     return math.sqrt(freedom) * math.tan(low)
 
 
-def write_csv(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Writes a line of names, and a line for each row. Raises OSError."""
+def write_csv(file: str, rows: Sequence[Mapping[str, Any]], names: Iterable[str] = ()) -> None:
+    """Writes a line of names, and a line for each row. `names` are those of a table without rows. Raises OSError."""
     with open(file, "w", encoding="utf-8", newline="") as out:
         lines = csv.writer(out, lineterminator="\n")
-        if rows:
-            lines.writerow(rows[0])
+        if head := list(rows[0] if rows else names):
+            lines.writerow(head)
         lines.writerows(["" if value is None else value for value in row.values()] for row in rows)
 
 
-def write_parquet(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Writes a column for each name. Raises OSError; ImportError without the package pyarrow."""
+def write_parquet(file: str, rows: Sequence[Mapping[str, Any]], names: Iterable[str] = ()) -> None:
+    """Writes a column for each name. `names` are those of a table without rows. Raises OSError; ImportError without the
+    package pyarrow.
+    """
     try:
         import pyarrow
         from pyarrow import parquet
     except ImportError:
         raise ImportError(f'"{file}" needs the Python package pyarrow; pip install pyarrow, or write CSV') from None
 
-    columns = {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
+    columns = {name: [row[name] for row in rows] for name in (rows[0] if rows else names)}
     # Swept values are text. A column becomes numbers if all of its values are numbers.
     for name, values in columns.items():
         if all(isinstance(value, str) and number(value) is not None for value in values):

@@ -3,15 +3,16 @@
 import csv
 import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from errors import BadInput
+from errors import BadInput, CourseError
 from extras import Extras, taken
 from grid import columns, combinations, same
 from provenance import manifest_of
-from sweep import RESULTS, Result, Sweep, result_of
+from sweep import RESULTS, Result, Sweep, named, result_of
+from terminal import counted
 
 _OF_OUTPUT = ("--csv", "--json", "-v", "--verbose")  # options without effect on what a sweep computes
 
@@ -23,42 +24,67 @@ class Shard:
     manifest: dict
     sha256: str  # of the table
 
+    def refusals(self) -> list[tuple[dict[str, str], str]]:
+        """Returns the points that the engine refused, and why. Older manifests do not have them."""
+        return [(dict(one["point"]), one["why"]) for one in self.manifest.get("skipped", [])]
+
+
+def require_other(table: str, merged_tables: Sequence[str]) -> None:
+    """Refuses to replace a merged table, or its manifest, by the joined table or its manifest."""
+    ours = [path for path in (Path(table), manifest_of(Path(table))) if path.exists()]
+    theirs = [path for file in merged_tables for path in (Path(file), manifest_of(Path(file))) if path.exists()]
+    if any(one.samefile(other) for one in ours for other in theirs):
+        raise BadInput(f'run: --csv must be another file than the merged tables and their manifests, but is "{table}"')
+
 
 def read_shard(file: str) -> Shard:
     try:
         content = Path(file).read_bytes()
-        rows = list(csv.DictReader(content.decode().splitlines()))
+        lines = csv.DictReader(content.decode().splitlines())
+        rows = list(lines)
     except (OSError, UnicodeDecodeError) as error:
         raise BadInput(f'run: --merge "{file}" cannot be read: {error}') from None
     for name in (*RESULTS, "h"):
-        if not rows or name not in rows[0]:
+        if name not in (lines.fieldnames or ()):
             raise BadInput(f'run: --merge "{file}" is no table of a sweep: it has no column {name}')
     beside = manifest_of(Path(file))
     try:
         manifest = json.loads(beside.read_text(encoding="utf-8"))
-        manifest["command"], manifest["sha256"].values()
+        shard = Shard(file, rows, manifest, hashlib.sha256(content).hexdigest())
+        manifest["command"], manifest["sha256"].values(), shard.refusals()
     except (OSError, ValueError, LookupError, AttributeError, TypeError):
         raise BadInput(f'run: --merge "{file}" needs its manifest, which says how it was computed: copy '
                        f'"{beside.name}", too') from None
-    return Shard(file, rows, manifest, hashlib.sha256(content).hexdigest())
+    return shard
 
 
 def merged(words: list[str], extras: Extras, shards: Sequence[Shard]) -> Sweep:
-    """Returns the sweep of shards that were run before, from their tables. Refuses those of other runs."""
+    """Returns the sweep of shards that were run before, from their tables and manifests. Refuses those of other runs.
+    Raises CourseError if a combination is in no shard.
+    """
     for shard in shards:
         _require_same(shard, shards[0], words, extras)
-    found, missing = [], []
-    for point in combinations(extras.sweep):
+    points, refused = combinations(extras.sweep), [refusal for shard in shards for refusal in shard.refusals()]
+    found, skipped, missing = [], [], []
+    for point in points:
         cells = columns(point, RESULTS)
-        row = next((row for shard in shards for row in shard.rows
-                    if all(same(row.get(name), value) for name, value in cells.items())), None)
-        if row is None:
-            missing.append(Result(point, None, "no row of the merged tables has these values"))
-        else:
+        row = next((row for shard in shards for row in shard.rows if _is_at(row, cells)), None)
+        why = next((why for other, why in refused if row is None and _is_at(other, point)), None)
+        if row is not None:
             found.append(result_of(words[0], point, row))
-    if not found:
-        raise BadInput("run: --merge: the tables have no run of this sweep")
-    return Sweep(extras.sweep, found, missing)
+        elif why is not None:
+            skipped.append(Result(point, None, why))
+        else:
+            missing.append(point)
+    if missing:
+        raise CourseError(f"run: --merge lacks {len(missing)} of {counted(len(points), 'combination')}, the first with "
+                          f"{named(missing[0])}: add the tables of the other shards")
+    return Sweep(extras.sweep, found, skipped)
+
+
+def _is_at(values: Mapping[str, str], point: Mapping[str, str]) -> bool:
+    """Tells whether these values, by name, have all of a point's."""
+    return all(same(values.get(name), value) for name, value in point.items())
 
 
 def _require_same(shard: Shard, first: Shard, words: list[str], extras: Extras) -> None:

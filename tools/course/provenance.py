@@ -22,20 +22,20 @@ def hashes_of(files: list[Path]) -> dict[str, str]:
     return {str(file): hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()}
 
 
-def write_manifest(result: Path, command: list[str], hashes: dict[str, str]) -> None:
+def write_manifest(result: Path, command: list[str], hashes: dict[str, str], skipped: list[dict] | None = None) -> None:
     """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds; `hashes` are those of the
-    program and of what it read."""
+    program and of what it read. `skipped` are the combinations of a sweep that have no row, and why."""
     _write(result, {**_call(command), "sha256": hashes, "version": version(), "commit": commit(),
                     "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
-                    "processors": processors()})
+                    "processors": processors()} | ({} if skipped is None else {"skipped": skipped}))
 
 
-def write_merged_manifest(result: Path, command: list[str], tables: list[dict]) -> None:
+def write_merged_manifest(result: Path, command: list[str], tables: list[dict], skipped: list[dict]) -> None:
     """Writes RESULT.manifest.json of a table that is joined from others: what their manifests have in common, and each
-    table's "file", "sha256" and "manifest"."""
+    table's "file", "sha256" and "manifest". `skipped` are the combinations of all tables that have no row, and why."""
     manifests = [table["manifest"] for table in tables]
     common = {key: value for key, value in manifests[0].items() if all(each.get(key) == value for each in manifests)}
-    _write(result, common | _call(command) | {"sha256": manifests[0]["sha256"], "merged": tables})
+    _write(result, common | _call(command) | {"sha256": manifests[0]["sha256"], "skipped": skipped, "merged": tables})
 
 
 def _call(command: list[str]) -> dict:

@@ -13,11 +13,12 @@ from engine import parameters_of, program
 from errors import BadInput, CourseError
 from extras import HELP, Extras, taken
 from manifest import Exercise
-from merging import merged, read_shard
+from merging import merged, read_shard, require_other
 from mine import CALLS, begun, checked_program, told
 from paths import shown
 from provenance import hashes_of, write_manifest, write_merged_manifest
-from runs import Runs, is_parquet, put_out, require_scene, require_table
+from runs import Runs, exit_code, is_parquet, put_out, require_scene, require_table
+from sweep import skipped_points
 from terminal import fold
 
 _CHECKS = "All chapters' functions run with checks, as in ./course check, so the run is slower than usual."
@@ -49,7 +50,8 @@ def run(arguments: list[str]) -> int:
     several = Runs(words, extras, start, lambda scene: parameters_of(scene, path))
     code = several.all() if extras.plot or extras.sweep else start(words)
     if code != 2 and csv and Path(csv).is_file():
-        write_manifest(Path(csv), ["run", *arguments], shared.hashes)
+        write_manifest(Path(csv), ["run", *arguments], shared.hashes,
+                       skipped_points(several.skipped) if extras.sweep else None)
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine, called.names)} {_CHECKS}") if mine else
               "You have written no exercise yet: everything is the reference.", file=sys.stderr)
@@ -58,12 +60,17 @@ def run(arguments: list[str]) -> int:
 
 def _merge(arguments: list[str], words: list[str], extras: Extras) -> int:
     require_table(words)
+    csv = value_of("--csv", words)
+    if csv:
+        require_other(csv, extras.merge)
     shards = [read_shard(file) for file in extras.merge]
-    put_out(merged(words, extras, shards), words)
-    if csv := value_of("--csv", words):
+    sweep = merged(words, extras, shards)
+    put_out(sweep, words)
+    if csv:
         write_merged_manifest(Path(csv), ["run", *arguments], [
-            {"file": shard.file, "sha256": shard.sha256, "manifest": shard.manifest} for shard in shards])
-    return 0
+            {"file": shard.file, "sha256": shard.sha256, "manifest": shard.manifest} for shard in shards],
+            skipped_points(sweep.skipped))
+    return exit_code(sweep.results, words)
 
 
 class Shared:

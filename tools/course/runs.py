@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from beside import require_distinct, require_free, value_of, with_changed, without
@@ -29,6 +29,7 @@ class Runs:
         `parameters` gives the names of a scene's parameters.
         """
         self._words, self._extras, self._start, self._parameters = words, extras, start, parameters
+        self.skipped: list[Result] = []  # the combinations of a sweep that the program refuses, and why
 
     def all(self) -> int:
         with tempfile.TemporaryDirectory(prefix="course-") as folder:
@@ -62,10 +63,10 @@ class Runs:
         why = impossible_value(points, refusals) if count == 1 else ""
         if why or all(refusals) and count == 1:
             raise BadInput(f"run: {why or refusals[0]}")
-        skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
+        self.skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
         asked = [(point, words) for point, words, why in zip(points, each, refusals) if not why]
         results, tables, worst = self._results(asked, folder)
-        put_out(Sweep(axes, results, skipped, f"{index}/{count}" if count > 1 else ""), self._words)
+        put_out(Sweep(axes, results, self.skipped, f"{index}/{count}" if count > 1 else ""), self._words)
         if tables:
             self._draw(tables)
         return worst
@@ -83,9 +84,9 @@ class Runs:
         for point, words in asked:
             table = folder / "run.csv"
             code, out, err = self._captured([*words, "--json", *(["--csv", str(table)] if self._extras.plot else [])])
-            worst = max(worst, code)
-            why = "" if code == 0 else _last_line(err) or "it failed"
-            results.append(Result(point, json.loads(out) if code == 0 else None, why))
+            worst = max(worst, 1 if code < 0 else code)  # a signal's is negative
+            run = json.loads(out) if out else None  # with --strict the program prints what is not sound, and fails
+            results.append(Result(point, run, "" if out else _last_line(err) or "it failed"))
             if self._extras.plot:
                 tables.append(Table.read(table, ", ".join(f"{name} = {value}" for name, value in point.items())))
             bar.step(" ".join(point.values()))
@@ -113,7 +114,7 @@ class Runs:
                 print(fold_lines(f"part {part} of {self._extras.slurm} failed: {failed[part]}", "  "), file=sys.stderr)
         results = [found.get(tuple(point.items()), Result(point, None, "the Slurm part with this run failed"))
                    for point in points]
-        return results, [], max((1 for result in results if result.run is None), default=0)
+        return results, [], exit_code(results, self._words)
 
     def _refusal(self, words: list[str], folder: Path) -> str:
         """Returns why the program refuses a run, without a step; empty if it runs. Refuses unknown columns."""
@@ -121,6 +122,7 @@ class Runs:
         time = value_of("--time", words)
         for option in ("--csv", "--record", "--fps", "--time"):
             words = without(words, option)
+        words = [word for word in words if word != "--strict"]  # which judges the run that is made
         if time is None or (number(time) or 0) > 0:
             time = "0"
         code, _, err = self._captured([*words, "--time", time, "--csv", str(table)])
@@ -177,8 +179,14 @@ def put_out(sweep: Sweep, words: list[str]) -> None:
     """Writes the table to --csv, and prints it."""
     csv = value_of("--csv", words)
     if csv is not None:
-        (write_parquet if is_parquet(csv) else write_csv)(csv, sweep.table())
+        (write_parquet if is_parquet(csv) else write_csv)(csv, sweep.table(), sweep.names())
     print((as_json if "--json" in words else as_text)(sweep))
+
+
+def exit_code(results: Sequence[Result], words: list[str]) -> int:
+    """Returns 1 if a run did not get to its end or, with --strict, is not sound."""
+    strict = "--strict" in words
+    return int(any(each.run is None or strict and each.run["state"]["name"] != "sound" for each in results))
 
 
 def _last_line(err: str) -> str:

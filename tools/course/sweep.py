@@ -40,6 +40,10 @@ class Sweep:
     def fits(self) -> list[Fit]:
         return grid.fits(self.rows(), self.axes)
 
+    def names(self) -> list[str]:
+        """Returns the names of the table's columns, which a table without rows has, too."""
+        return list(columns(dict.fromkeys(self.axes), RESULTS) | dict.fromkeys((*RESULTS, "h")))
+
     def table(self) -> list[dict[str, Any]]:
         """Returns a flat row for each run, for --csv: its values as typed, but h in seconds; its numbers; its state."""
         h = next((result.run["h"] for result in self.results if result.run), None)  # of all runs, where it is not swept
@@ -83,11 +87,16 @@ def result_of(scene: str, point: Mapping[str, str], row: Mapping[str, str]) -> R
         "name": row["state"], "reason": row["why"], "note": row["note"]}}, "")
 
 
+def skipped_points(skipped: Sequence[Result]) -> list[dict[str, Any]]:
+    """Returns each combination that the engine refuses, and why, as --json and the manifest of a table have them."""
+    return [{"point": dict(one.point), "why": one.why} for one in skipped]
+
+
 def as_json(sweep: Sweep) -> str:
     runs = [{"point": dict(result.point), "observed_order": order, "why": result.why or None}
             | (result.run or {}) for result, (_, order) in zip(sweep.results, sweep.orders())]
     return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
-                       "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
+                       "skipped": skipped_points(sweep.skipped),
                        "means": [{"point": mean.point, "runs": mean.runs, "unsolved": mean.unsolved, "lost": mean.lost,
                                   "mean": mean.mean, "half_width": mean.half_width, "observed_order": order}
                                  for mean, order in zip(sweep.means(), grid.mean_orders(sweep.means()))],
@@ -97,9 +106,9 @@ def as_json(sweep: Sweep) -> str:
 
 def as_text(sweep: Sweep) -> str:
     ended = next((result.run for result in sweep.results if result.run), None)
-    lost = [f"{_named(result.point)}: {result.why}" for result in sweep.results if result.why]
+    lost = [f"{named(result.point)}: {result.why}" for result in sweep.results if result.why]
     if ended is None:
-        return "\n".join(map(fold, lost))
+        return "\n".join([*_after(lost), *_skipped(sweep.skipped)]).strip()
     unit = ended["error"]["unit"]
     about = fold(f"{ended['scene']}: {ended['error']['name']}{f' [{unit}]' if unit else ''}")
     return "\n".join([about, "", *_runs(sweep), *_order_note(sweep), *_mean_lines(sweep), *_fit_lines(sweep),
@@ -182,7 +191,7 @@ def _after(lost: list[str]) -> list[str]:
     return ["", *[part for line in lost for part in fold(line).splitlines()]] if lost else []
 
 
-def _named(point: Mapping[str, str]) -> str:
+def named(point: Mapping[str, str]) -> str:
     return ", ".join(f"{name} = {value}" for name, value in point.items())
 
 
