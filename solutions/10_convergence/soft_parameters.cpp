@@ -14,8 +14,9 @@ SoftParameters soft_parameters(double h, double frequency, double damping) {
   const double omega = 2 * std::numbers::pi * frequency;
   const double damped = 2 * damping + h * omega;
   const double stiffness = h * omega * damped;
-  return {
-      .bias_rate = omega / damped, .mass_scale = 1 / (1 + 1 / stiffness), .impulse_scale = 1 / (1 + stiffness)};
+  return {.bias_rate = omega / damped,
+          .mass_scale = stiffness / (1 + stiffness),
+          .impulse_scale = 1 / (1 + stiffness)};
 }
 
 }  // namespace spook

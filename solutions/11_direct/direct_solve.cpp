@@ -61,9 +61,8 @@ void refine(const OpenRows<Dof>& open, const Factors& factors, std::vector<Row<D
   const Vector more = factors.ldlt.solve(residual);
   for (std::size_t k = 0; k < open.rows.size(); ++k) {
     Row<Dof>& row = rows[open.index[k]];
-    const double before = row.lambda, after = before + more[k];
-    row.lambda = std::clamp(after, row.lo, row.hi);
-    apply_impulse(row, row.lambda == after ? more[k] : row.lambda - before, V);
+    row.lambda = std::clamp(row.lambda + more[k], row.lo, row.hi);
+    apply_impulse(row, more[k], V);
   }
 }
 
