@@ -35,9 +35,9 @@ TEST(References, LetNoBoxTouchWhoseHalfSideIsNaN) {
 
 TEST(References, PackRowsThatDoNotActOnBothBodies) {
   // The first row of a run acts on j only, and the second on both.
-  Motion<3> motion{.inverse_mass = {{.linear = 1}, {.linear = 1}}};
-  motion.W = {Vec3(0, 1, 0), Vec3(1, 0, 0)};
-  motion.Wf.assign(2, Vec3::Zero());
+  const Motion<3> motion{.inverse_mass = {{.linear = 1}, {.linear = 1}},
+                         .W = {Vec3(0, 1, 0), Vec3(1, 0, 0)},
+                         .Wf = {Vec3::Zero(), Vec3::Zero()}};
   const auto row = [&](const Vec3& Gi, const Vec3& Gj) {
     return make_row<3>({.i = 0,
                         .j = 1,
@@ -63,13 +63,13 @@ TEST(References, EndOnTheConeWhateverTheMatrix) {
   testing::Random random;
   for (int n = 0; n < 100'000; ++n) {
     Mat3 A;
-    for (int entry = 0; entry < 9; ++entry) A.data()[entry] = random.normal();
+    for (int entry = 0; entry < 9; ++entry) A.data()[entry] = random.uniform(-1, 1);
     const double scale = std::pow(10, random.uniform(-6, 0));
     A.row(2) *= scale;
     const Mat3 S = A * A.transpose() + 1e-12 * Mat3::Identity();
-    const double x = random.normal();
-    const double y = random.normal();
-    const double z = random.normal();
+    const double x = random.uniform(-1, 1);
+    const double y = random.uniform(-1, 1);
+    const double z = random.uniform(-1, 1);
     const double mu = random.uniform(0, 2);
     const Vec3 lambda = solve_on_cone(S, Vec3(x, y, z), mu);
     ASSERT_GE(lambda[0], 0);

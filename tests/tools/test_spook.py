@@ -316,8 +316,8 @@ class Runs(unittest.TestCase):
         self.assertIn("the answer depends on k", " ".join(spook(*words.split()).stdout.split()))
         self.assertEqual(json.loads(spook(*"run orbit --soft-steps 4 --time 1 --json".split()).stdout)["soft_steps"], 4)
         for mu, limit in (("0", 1e-9), ("0.3", 0.02)):  # the start is half a substep back
-            run = json.loads(spook(*f"run incline --set mu={mu} --soft-steps 8 --json".split()).stdout)
-            self.assertLess(run["error"]["value"], limit)
+            slope = json.loads(spook(*f"run incline --set mu={mu} --soft-steps 8 --json".split()).stdout)
+            self.assertLess(slope["error"]["value"], limit)
         self.assertEqual(run["last_step"]["iterations"], 8)
         self.assertEqual(run["row_updates"], 8 * run["last_step"]["rows"] * run["steps"])
 
