@@ -14,7 +14,7 @@ sys.dont_write_bytecode = sys.pycache_prefix is None
 sys.path.insert(0, str(TOOLS / "course"))
 
 from errors import CourseError  # noqa: E402
-from files import course_files  # noqa: E402
+from files import course_files, new_files  # noqa: E402
 from layer import Layer  # noqa: E402
 from manifest import Exercise, all_exercises  # noqa: E402
 from reset import stub_of  # noqa: E402
@@ -30,10 +30,15 @@ Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
 _IDENTITY = ("-c", "user.name=Sandbox", "-c", "user.email=sandbox@localhost", "-c", "commit.gpgsign=false")
 
 
+def all_files() -> list[Path]:
+    """Returns the course's files, with those that are new and not yet committed."""
+    return sorted([*course_files(), *new_files()])
+
+
 def our_files() -> list[Path]:
     """Returns the course's files without exercises that a student has begun, whose style is free."""
     begun = {exercise.file.relative_to(ROOT) for exercise in all_exercises() if exercise.started()}
-    return [name for name in course_files() if name not in begun]
+    return [name for name in all_files() if name not in begun]
 
 
 def _clean_environment() -> dict[str, str]:
@@ -41,7 +46,7 @@ def _clean_environment() -> dict[str, str]:
 
 
 def _copy(root: Path) -> Path:
-    for name in course_files():
+    for name in all_files():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(ROOT / name, root / name)
     return root
@@ -53,7 +58,7 @@ def _layer(scratch: Path) -> Layer | None:
         layer = Layer(ROOT, scratch)
     except OSError:
         return None
-    ours = {"build", *(name.parts[0] for name in course_files())}
+    ours = {"build", *(name.parts[0] for name in all_files())}
     for path in layer.root.iterdir():
         if path.name not in ours:
             shutil.rmtree(path) if path.is_dir() and not path.is_symlink() else path.unlink()

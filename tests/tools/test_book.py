@@ -2,6 +2,9 @@
 
 import html
 import re
+import shutil
+import subprocess
+import tempfile
 import unittest
 from collections.abc import Callable
 from html.parser import HTMLParser
@@ -194,6 +197,33 @@ class Book(unittest.TestCase):
                 self.assertNotRegex(file.read_text(encoding="utf-8"), r"""https?://|\bfetch\(|XMLHttpRequest""", file)
 
 
+class AnotherFolder(unittest.TestCase):
+    """A book that is written into a folder of its own."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.box = bound(cls.addClassCleanup)
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="book-")
+        self.addCleanup(scratch.cleanup)
+        self.site = Path(scratch.name, "site")
+
+    def make(self) -> subprocess.CompletedProcess:
+        return self.box.course("book", "--films", "--out", str(self.site))
+
+    def test_untracked_pages_are_left_out_and_named(self):
+        pages = ("exam/exam.md", "submissions/ann/README.md")
+        for name in pages:
+            (self.box.root / name).parent.mkdir(parents=True)
+            (self.box.root / name).write_text("# Secret\n")
+            self.addCleanup(shutil.rmtree, self.box.root / name.partition("/")[0])
+        done = self.make()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 untracked file was left out: exam/exam.md (git add FILE takes one in)\n", done.stdout)
+        self.assertEqual([path for path in self.site.rglob("*.html") if "Secret" in path.read_text(encoding="utf-8")], [])
+
+
 class Text(unittest.TestCase):
     """Text as typed, and as typeset; ~ is a space at which no line breaks."""
 
@@ -310,6 +340,7 @@ int main() {}  // comment
         box = bound(cls.addClassCleanup)
         (box.root / "chapters" / "98_more").mkdir()
         (box.root / "chapters" / "98_more" / "README.md").write_text(cls.PAGE, encoding="utf-8")
+        subprocess.run(["git", "-C", str(box.root), "add", "chapters/98_more"], check=True)
         result = box.course("book", "--films")
         if result.returncode:
             raise AssertionError(result.stderr)

@@ -3,6 +3,7 @@
 import contextlib
 import fcntl
 import io
+import os
 import re
 import subprocess
 import sys
@@ -20,15 +21,18 @@ import check
 import crash
 import diagnostics
 import everything
+import files
 import install
 import last_verdicts
 import mine
+import mutants
 import needs
 import speed_error
 import terminal
 import text_encoding
 import tree
 import verdict
+import version
 from errors import BadInput, CourseError
 from manifest import all_exercises, numbered_items
 from marker import code_of, is_empty, is_stub, marker_line
@@ -542,6 +546,64 @@ class WhatSomeTestsWant(unittest.TestCase):
     def test_tests_go_on_without_it(self):
         said, _ = self.said(offered=True, error=CourseError("no network"))
         self.assertIn("no network", said)
+
+
+class FilesByGit(unittest.TestCase):
+    """The course's files and its commit, in a small folder."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="files-")
+        self.addCleanup(folder.cleanup)
+        self.outer = Path(folder.name).resolve()
+        self.root = self.outer / "course"
+        self.root.mkdir()
+        (self.root / "README.md").write_text("# A course\n")
+        for module in (files, version):
+            patch = mock.patch.object(module, "ROOT", self.root)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def git(self, folder: Path, *words: str) -> None:
+        subprocess.run(["git", "-C", str(folder), "-c", "user.name=S", "-c", "user.email=s@localhost", *words], check=True)
+
+    def committed(self, folder: Path) -> None:
+        self.git(folder, "init", "-q")
+        self.git(folder, "add", "-A")
+        self.git(folder, "commit", "-q", "--allow-empty", "-m", "One")
+
+    def test_new_files_are_not_the_course_s(self):
+        self.committed(self.root)
+        (self.root / "class.csv").write_text("Ann")
+        self.assertEqual((files.course_files(), files.new_files()), ([Path("README.md")], [Path("class.csv")]))
+        self.assertRegex(version.commit(), "^[0-9a-f]{7,}$")
+
+    def test_a_larger_repository_that_ignores_the_course_does_not_name_its_commit(self):
+        (self.outer / ".gitignore").write_text("course/\n")
+        self.committed(self.outer)
+        self.assertEqual((files.course_files(), files.new_files()), ([Path("README.md")], []))
+        self.assertEqual(version.commit(), "")
+
+    def test_without_git(self):
+        with mock.patch.object(files.subprocess, "run", side_effect=FileNotFoundError("git")):
+            self.assertEqual((files.course_files(), version.commit()), ([Path("README.md")], ""))
+            (self.root / ".git").mkdir()
+            self.assertRaisesRegex(CourseError, "git is missing", files.course_files)
+            self.assertEqual(version.commit(), "")
+        self.assertRaisesRegex(CourseError, "git does not read", files.course_files)
+
+    def test_a_name_that_is_not_utf_8(self):
+        self.committed(self.root)
+        with open(os.fsencode(self.root) + b"/caf\xe9.txt", "w", encoding="utf-8"):
+            name = Path(os.fsdecode(b"caf\xe9.txt"))
+        self.assertEqual(files.new_files(), [name])
+        self.assertEqual(mutants._changed_files(self.root), {self.root / name})
+
+    def test_at_most_three_are_named(self):
+        names = [Path(name) for name in "abcd"]
+        self.assertEqual(files.left_out([]), "")
+        for count, told in ((1, "1 untracked file was left out: a ("), (3, "3 untracked files were left out: a, b, c ("),
+                            (4, "4 untracked files were left out: a, b, c, ... (")):
+            self.assertTrue(files.left_out(names[:count]).startswith(told))
 
 
 class Totals(unittest.TestCase):

@@ -14,7 +14,7 @@ import zipfile
 from pathlib import Path
 
 from classroom import SECONDS_A_TEST, Classroom, corpus, right, run_course
-from sandbox import ROOT
+from sandbox import ROOT, Sandbox
 
 
 def unpack(archive: Path, folder: Path) -> None:
@@ -22,6 +22,78 @@ def unpack(archive: Path, folder: Path) -> None:
     with zipfile.ZipFile(archive) as content:
         for info in content.infolist():
             os.chmod(content.extract(info, folder), info.external_attr >> 16)
+
+
+class FilesOfTheCourse(unittest.TestCase):
+    """Which files kits have in them, by what git says of the folder."""
+
+    def setUp(self):
+        self.box = Sandbox()
+        self.addCleanup(self.box.close)
+
+    def names(self, what: str, folder: Path) -> list[str]:
+        if what == "autolab":
+            with tarfile.open(folder / "autograde.tar") as archive:
+                return archive.getnames()
+        with zipfile.ZipFile(folder) as archive:
+            return archive.namelist()
+
+    def write(self, name: str) -> None:
+        (self.box.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.box.root / name).write_text("secret")
+
+    def test_untracked_files_are_left_out_and_named(self):
+        left = ("submissions/ann/kick.cpp", "marks/grades.csv", "exam/exam.md", "class.csv", "points.csv",
+                "chapters/01_leapfrog/kick.cpp.orig")
+        for name in left:
+            self.write(name)
+        for what in ("autolab", "gradescope"):
+            out = self.box.root.parent / what
+            done = self.box.course("export", what, "--out", str(out))
+            self.assertEqual((done.returncode, done.stderr), (0, "3 untracked files were left out: class.csv, "
+                                                              "exam/exam.md, points.csv (git add FILE takes one in)\n"))
+            names = self.names(what, out)
+            self.assertIn("course/README.md", names)
+            self.assertEqual({f"course/{name}" for name in left} & set(names), set())
+
+    def test_an_archive_in_a_repository_that_ignores_it(self):
+        shutil.rmtree(self.box.root / ".git")
+        outer = self.box.root.parent
+        subprocess.run(["git", "init", "-q", str(outer)], check=True)
+        (outer / ".gitignore").write_text("course/\n")
+        for what in ("autolab", "gradescope"):
+            done = self.box.course("export", what, "--out", str(outer / what))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("course/README.md", self.names(what, outer / what))
+        subprocess.run(["git", "-C", str(outer), "add", "-f", "course/README.md"], check=True)  # it knows the folder now
+        self.assertEqual(self.box.course("export", "autolab", "--out", str(outer / "kit")).returncode, 0)
+        self.assertEqual(self.names("autolab", outer / "kit"), ["course/README.md"])
+
+    def test_a_repository_without_files_and_one_without_git(self):
+        shutil.rmtree(self.box.root / ".git")
+        subprocess.run(["git", "init", "-q", str(self.box.root)], check=True)
+        tools = self.box.root.parent / "bin"
+        tools.mkdir()
+        for name in ("sh", "uname", "dirname", "readlink", "id"):
+            (tools / name).symlink_to(shutil.which(name))
+        for env, told in (({}, "git tracks no file"), ({"PATH": str(tools)}, "git is missing")):
+            done = self.box.course("export", "gradescope", "--out", "kit.zip", **env)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
+            self.assertIn(told, done.stderr)
+            self.assertFalse((self.box.root / "kit.zip").exists())
+
+    def test_a_name_that_is_not_utf_8(self):
+        name = os.fsencode(self.box.root) + b"/caf\xe9.txt"
+        with open(name, "w", encoding="utf-8") as out:
+            out.write("x")
+        done = self.box.course("export", "gradescope", "--out", "kit.zip")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("caf?.txt", done.stderr)
+        subprocess.run([b"git", b"-C", os.fsencode(self.box.root), b"add", name], check=True)
+        done = self.box.course("export", "gradescope", "--out", "other.zip")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("caf?.txt", done.stderr)
+        self.assertEqual(self.box.course("export", "autolab", "--out", "kit").returncode, 0)
 
 
 class Exports(unittest.TestCase):

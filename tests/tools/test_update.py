@@ -7,8 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from sandbox import ROOT, all_exercises
-from files import course_files
+from sandbox import ROOT, all_exercises, all_files
 from reset import stub_of
 from version import stated_in
 
@@ -71,7 +70,7 @@ class Updating(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.first = Path(folder.name).resolve() / "first"
         stubs = {exercise.file.relative_to(ROOT): exercise for exercise in all_exercises()}
-        for name in course_files():
+        for name in all_files():
             path = name.as_posix()
             if not (path in _TOP or path.startswith(_FOLDERS)) or path.endswith((".webp", ".svg")):
                 continue

@@ -4,10 +4,12 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from binding.outline import new_pages
 from binding.site import build
 from binding.views import film_pages
 from engine import program_of_pages
 from errors import BadInput, CourseError
+from files import left_out
 from install import install, offer
 from manifest import Exercise
 from mine import begun, program_of_own_pages, told
@@ -31,6 +33,8 @@ def book(arguments) -> int:
     count = build(folder, views, engine, mine=bool(mine))
     if views:
         film_pages(folder, mine=bool(mine))
+    if left := left_out(new_pages()):
+        print(left)
     print(f"{shown((folder / 'index.html').absolute())}: {count} pages. Open it in a browser.")
     if remote:
         _push(folder, remote)

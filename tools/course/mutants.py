@@ -7,6 +7,7 @@ mutants, those of the chapters whose headers these include, and what all chapter
 """
 
 import hashlib
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -68,8 +69,8 @@ def _changed_files(root: Path) -> set[Path] | None:
 
 
 def _git(root: Path, *words: str) -> str | None:
-    done = subprocess.run(["git", "-C", str(root), *words], capture_output=True, text=True)
-    return done.stdout if done.returncode == 0 else None
+    done = subprocess.run(["git", "-C", str(root), *words], capture_output=True)
+    return os.fsdecode(done.stdout) if done.returncode == 0 else None
 
 
 def _shared(root: Path) -> list[Path]:

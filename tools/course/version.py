@@ -4,6 +4,7 @@ import re
 import subprocess
 
 from errors import CourseError
+from files import is_tracked
 from paths import ROOT
 
 _STATED = re.compile(r"^project\(\w+ VERSION (\d+\.\d+\.\d+)\b", re.MULTILINE)
@@ -32,8 +33,10 @@ def show_version(arguments) -> int:
 def commit() -> str:
     """Names the checked-out commit, with -dirty if files differ from it; empty without git's history."""
     try:
-        asked = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--exclude=*"],
-                               capture_output=True, text=True)
-    except FileNotFoundError:
+        if not is_tracked():
+            return ""
+    except CourseError:
         return ""
+    asked = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--exclude=*"],
+                           capture_output=True, text=True)
     return asked.stdout.strip() if asked.returncode == 0 else ""

@@ -7,7 +7,7 @@ from urllib.parse import quote, unquote
 from binding.outline import between
 from binding.reading import Draft
 from binding.sizes import size_of
-from files import course_files
+from files import course_files, new_files
 from paths import ROOT
 
 _ELSEWHERE = re.compile(r"^(?:https?|mailto):")
@@ -19,6 +19,7 @@ class Links:
     def __init__(self, drafts: list[Draft]):
         self._drafts = {draft.page.source: draft for draft in drafts}
         self._files = set(course_files())
+        self._new = set(new_files())
         self.pictures: set[Path] = set()  # that the site needs
         self.sources: set[Path] = set()  # files of code that are shown as pages
 
@@ -35,7 +36,8 @@ class Links:
             address = "" if there is draft and fragment else between(draft.page.target, there.page.target)
             return f"{address}#{fragment}" if fragment else address
         if target not in self._files:
-            draft.wrong(line, f"the link {href!r} is broken: there is no such page")
+            why = "git does not track it; git add it" if target in self._new else "there is no such page"
+            draft.wrong(line, f"the link {href!r} is broken: {why}")
             return href
         if target.suffix in _PICTURES:
             self.pictures.add(target)
@@ -49,7 +51,8 @@ class Links:
             return address
         target = self._source(draft, address)
         if target not in self._files:
-            draft.wrong(line, f"the picture {address!r} does not exist")
+            why = "is not tracked by git; git add it" if target in self._new else "does not exist"
+            draft.wrong(line, f"the picture {address!r} {why}")
             return address
         self.pictures.add(target)
         return quote(between(draft.page.target, target))

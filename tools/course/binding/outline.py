@@ -5,7 +5,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from files import course_files
+from files import course_files, new_files
 from paths import ROOT
 
 # Each group's title, and the files that it begins with; what no group asks for is in the last.
@@ -39,7 +39,7 @@ class Page:
 
 
 def pages() -> list[Page]:
-    left = [name for name in course_files() if name.suffix == ".md" and name.name not in _NO_PAGES]
+    left = _pages_of(course_files())
     found = []
     for group, patterns in _GROUPS:
         for pattern in patterns:
@@ -47,6 +47,15 @@ def pages() -> list[Page]:
             left = [name for name in left if name not in here]
             found += [MANUAL if name == MANUAL.source else Page(name, _title(name), group) for name in here]
     return found
+
+
+def new_pages() -> list[Path]:
+    """Returns the files of pages that git does not track, which the book leaves out."""
+    return _pages_of(new_files())
+
+
+def _pages_of(names: list[Path]) -> list[Path]:
+    return [name for name in names if name.suffix == ".md" and name.name not in _NO_PAGES]
 
 
 def _matches(name: Path, pattern: str) -> bool:

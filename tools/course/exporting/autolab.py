@@ -11,13 +11,14 @@ from paths import ROOT
 
 
 def write_kit(arguments) -> list[Path]:
+    names = course_files()
     folder = Path(arguments.out or ".")
     folder.mkdir(parents=True, exist_ok=True)
     makefile, archive = folder / "autograde-Makefile", folder / "autograde.tar"
     words = options(arguments, "hidden", "weights.csv")
     makefile.write_text(filled("autograde-Makefile", options=words), encoding="utf-8")
     with tarfile.open(archive, "w") as tar:
-        for name in course_files():
+        for name in names:
             _add(tar, f"course/{name}", ROOT / name)
         for name in hidden_files(arguments):
             _add(tar, f"hidden/{name}", Path(arguments.hidden) / name)

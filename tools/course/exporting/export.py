@@ -6,6 +6,7 @@ from pathlib import Path
 
 from errors import BadInput
 from exporting import autolab, github, gradescope, grades, junit, students, table, weights
+from files import left_out, new_files
 from grading.choices import TABLE
 from grading.merge import read_result, read_results
 from grading.results import score
@@ -16,6 +17,7 @@ from manifest import all_exercises
 
 _KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
                               "autolab": autolab.write_kit, "students": students.write_repository}
+_OF_THE_COURSE = ("gradescope", "autolab", "students")  # kits that have the course's files in them
 # What the results of several submissions can be written as, and what holds one submission only.
 _OF_MANY = {"junit": junit.of_results, "csv": table.of_results}
 _OF_ONE = {"gradescope": gradescope.of_result, "github": github.of_result, "autolab": autolab.of_result}
@@ -40,6 +42,8 @@ def export(arguments) -> int:
     if what not in _KITS:
         raise BadInput(f"export: {what} needs results: a results.json, or a folder that ./course grade has written")
     written = _KITS[what](arguments)
+    if what in _OF_THE_COURSE and (told := left_out(new_files())):
+        print(told, file=sys.stderr)
     print(f"Written: {', '.join(map(str, written))}")
     return 0
 
