@@ -5,12 +5,13 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from classroom import run_course
-from sandbox import ROOT
+from sandbox import ROOT, Sandbox
 
 from exporting.students import _write, hints_of
 from manifest import listed, read_chapters
@@ -28,6 +29,16 @@ def git(folder: Path, *words: str) -> str:
 def course(folder: Path, *words: str, typed: str = "") -> subprocess.CompletedProcess:
     return subprocess.run([str(folder / "course"), *words], capture_output=True, text=True, cwd=folder,
                           env=ENVIRONMENT, input=typed)
+
+
+# Runs the command without a compiler: its objects are none.
+_UNCOMPILED = """
+import runpy, sys
+sys.path.insert(0, "tools/course")
+from exporting import students
+students._compile = lambda preset, folder: folder.mkdir()
+runpy.run_path("tools/course", run_name="__main__")
+"""
 
 
 def code_of(file: Path) -> list[str]:
@@ -115,6 +126,7 @@ class Students(unittest.TestCase):
         self.assertIn(f"Release {first[1]}{first[2]} ", self.export().stdout)  # nothing has changed: no new release
         lesson.write_text(kept + "\nOf an older course.\n", encoding="utf-8")
         git(self.out, "commit", "-qam", "As if the course had been another")
+        git(self.out, "tag", "-f", f"v{first[1]}{first[2]}")
         self.assertIn(f"Release {first[1]}{int(first[2]) + 1} ", self.export().stdout)
         self.assertEqual(lesson.read_text(encoding="utf-8"), kept)
         updated = course(clone, "update")
@@ -166,6 +178,117 @@ class Students(unittest.TestCase):
             self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
             self.assertIn(told, result.stderr)
         self.assertEqual((self.root / "full" / "thesis.txt").read_text(), "mine")
+
+
+class Again(unittest.TestCase):
+    """A second export, after the instructor has added or changed files; without objects."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.box = Sandbox()
+        cls.addClassCleanup(cls.box.close)
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="students-")
+        self.addCleanup(scratch.cleanup)
+        self.addCleanup(git, self.box.root, "clean", "-qfdx")
+        self.addCleanup(git, self.box.root, "reset", "-q", "--hard")
+        self.out = Path(scratch.name, "repository")
+        self.exported()
+
+    def run_export(self) -> subprocess.CompletedProcess:
+        return subprocess.run([sys.executable, "-c", _UNCOMPILED, "export", "students", "--chapters", "1", "--out",
+                               str(self.out)], capture_output=True, text=True, cwd=self.box.root, env=ENVIRONMENT)
+
+    def exported(self) -> subprocess.CompletedProcess:
+        done = self.run_export()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def refused(self, *told: str) -> None:
+        before = git(self.out, "status", "--porcelain"), git(self.out, "tag")
+        done = self.run_export()
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
+        for text in told:
+            self.assertIn(text, done.stderr)
+        self.assertEqual((git(self.out, "status", "--porcelain"), git(self.out, "tag")), before)
+
+    def add(self, **files: str) -> None:
+        """Commits files in the repository; `__` in a name stands for a dot."""
+        for name, text in files.items():
+            place = self.out / name.replace("__", ".")
+            place.write_text(text, encoding="utf-8")
+            git(self.out, "add", str(place))
+        git(self.out, "commit", "-qm", "By hand")
+
+    def change_course(self, line: str) -> None:
+        with open(self.box.root / "README.md", "a", encoding="utf-8") as page:
+            page.write(f"\n{line}\n")
+
+    def test_untracked_files_are_left_out_and_named(self):
+        for name in ("submissions/ann/kick.cpp", "marks/grades.csv", "marks-2/grades.csv", "exam/exam.md", "class.csv",
+                     "points.csv", "solutions/01_leapfrog/kick.cpp~", "solutions/01_leapfrog/kick.cpp.orig",
+                     "solutions/01_leapfrog/.kick.cpp.swp", "zoo.txt"):
+            (self.box.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.box.root / name).write_text("secret")
+        told = self.exported().stderr
+        self.assertEqual(told, "4 untracked files were left out: class.csv, exam/exam.md, points.csv, ... "
+                               "(git add FILE takes one in)\n")
+        self.assertEqual([file for file in self.out.rglob("*") if file.is_file() and file.read_bytes() == b"secret"], [])
+
+    def test_what_was_added_there_stays_in_each_further_export(self):
+        (self.out / ".github" / "workflows").mkdir(parents=True)
+        (self.out / ".github" / "workflows" / "classroom.yml").write_text("on: push\n")
+        git(self.out, "add", ".github")
+        self.add(LAB__md="Room 3\n")
+        (self.out / "draft.txt").write_text("not committed")
+        gone = self.box.root / "chapters" / "02_quaternions" / "README.md"
+        gone.unlink()
+        for line in ("One.", "Two."):
+            self.change_course(line)
+            self.exported()
+            self.assertIn(line, git(self.out, "show", "HEAD:README.md"))
+            self.assertEqual(git(self.out, "show", "HEAD:LAB.md"), "Room 3\n")
+            self.assertEqual(git(self.out, "show", "HEAD:.github/workflows/classroom.yml"), "on: push\n")
+            self.assertFalse((self.out / gone.relative_to(self.box.root)).exists())
+            self.assertEqual(git(self.out, "status", "--porcelain"), "?? draft.txt\n")
+        self.assertEqual(len(git(self.out, "tag").split()), 3)
+        self.assertIn("Release " + git(self.out, "tag").split()[-1][1:], self.exported().stdout)  # nothing new
+
+    def test_what_was_changed_there_is_named_and_stays(self):
+        self.add(README__md="Another course\n")
+        self.change_course("One.")
+        tag = git(self.out, "tag").strip()
+        self.refused("1 file in ", f"has changed since {tag} and", ": README.md;")
+        self.assertEqual((self.out / "README.md").read_text(), "Another course\n")
+        (self.out / "CHANGELOG.md").write_text("not committed\n")
+        self.refused("2 files in ", "CHANGELOG.md, README.md;")
+        git(self.out, "checkout", "-q", tag, "--", "README.md", "CHANGELOG.md")
+        self.exported()
+
+    def test_a_file_of_theirs_whose_name_the_course_takes_is_named(self):
+        self.add(LAB__md="Room 3\n")
+        (self.box.root / "LAB.md").write_text("The course's\n")
+        git(self.box.root, "add", "LAB.md")
+        self.refused("LAB.md")
+
+    def test_an_interrupted_export_does_not_block_the_next(self):
+        self.change_course("One.")
+        (self.out / "README.md").write_bytes((self.box.root / "README.md").read_bytes())
+        lists = self.out / "CMakeLists.txt"
+        lists.write_text(re.sub(r"(project\(\w+ VERSION \d+)\.\d+", r"\1.77", lists.read_text()))
+        self.exported()
+        self.assertIn("One.", git(self.out, "show", "HEAD:README.md"))
+
+    def test_an_export_without_a_list_of_its_files_is_taken_as_a_whole(self):
+        tag = git(self.out, "tag").strip()
+        (self.out / "old.txt").write_text("of an older course\n")
+        git(self.out, "rm", "-q", "solutions/compiled/files.txt")
+        git(self.out, "add", "old.txt")
+        git(self.out, "commit", "-qm", "As if an older course had made it")
+        git(self.out, "tag", "-f", tag)
+        self.exported()
+        self.assertFalse((self.out / "old.txt").exists())
 
 
 class PartOfAChapter(unittest.TestCase):

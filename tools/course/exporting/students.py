@@ -3,11 +3,13 @@
 The answers to the exercises are there as objects of this machine's kind, in solutions/compiled. Mutants, submissions of
 the grader's tests, hidden tests and the exam's answers are left out. Written into an earlier export, the command makes
 a new release of it, which `./course update` brings into students' copies; on a machine of another kind it adds that
-one's objects.
+one's objects. What an instructor has added there stays.
 """
 
+import os
 import platform
 import re
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -20,11 +22,14 @@ from manifest import Exercise, all_exercises
 from paths import ROOT
 from pick import as_list
 from reset import stub_of
+from terminal import counted
 from tree import Tree
 from version import stated_in, version
 
 _COMPILED = Path("solutions/compiled")
 _LISTED = _COMPILED / "exercises.txt"
+_WRITTEN = _COMPILED / "files.txt"  # the names of an export's files, by which the next one knows them from others
+_NAMED = 5
 _LEFT_OUT = ("solutions/[0-9][0-9]_*/*.cpp", "tests/mutants/*/*", "tests/mutants/*.txt", "tests/submissions/*/*",
              "tests/submissions/*/*/*", "tests/submissions/*/*/*/*", "tests/hidden/*/*",
              "tools/course/examining/chapters_*", ".github/*", ".github/*/*", ".ci/*")
@@ -32,6 +37,7 @@ _OF_EXERCISES = ("hints.md", "try.md")  # without which a chapter is a text to r
 _PRESETS = ("check", "release")
 _UNNAMED = ("-c", "user.name=course", "-c", "user.email=course@localhost")
 _VERSION = re.compile(r"^(project\(\w+ VERSION )\d+\.\d+\.\d+", re.MULTILINE)
+_TAG = re.compile(r"v\d+\.\d+\.\d+")
 _NOTE = """\
 # The reference, compiled
 
@@ -56,6 +62,7 @@ def write_repository(arguments) -> list[Path]:
     if ROOT == out.resolve() or ROOT in out.resolve().parents and out.resolve().parts[len(ROOT.parts)] != "build":
         raise BadInput(f"export: {out} lies in the course itself; choose a folder beside it")
     machine = f"{platform.system()}-{platform.machine()}"
+    _refuse_changed(out, contents(exercises))
     with tempfile.TemporaryDirectory(prefix="students-") as scratch:
         objects = Path(scratch)
         for preset in _PRESETS:
@@ -84,28 +91,59 @@ def _compile(preset: str, folder: Path) -> None:
             _run(["strip", "--strip-debug", file.name], folder)
 
 
-def _write(out: Path, exercises: tuple[Exercise, ...], machine: str, objects: Path) -> None:
-    """Writes the export. Files of an earlier export are removed first, except for other machines' objects."""
-    for name in _tracked(out):
-        if _COMPILED not in name.parents:
-            (out / name).unlink(missing_ok=True)
+def contents(exercises: tuple[Exercise, ...]) -> dict[Path, bytes]:
+    """Returns the content of each file of the export, but for what is in solutions/compiled."""
     stubs = {one.file.relative_to(ROOT): one for one in exercises}
     others = {one.file.relative_to(ROOT) for one in all_exercises()} - set(stubs)
-    kept = {one.folder for one in exercises}
+    kept, numbers = {one.folder for one in exercises}, {one.id for one in exercises}
+    found = {}
     for name in course_files():
         if name in others or _is_left_out(name, kept):
             continue
-        (out / name).parent.mkdir(parents=True, exist_ok=True)
-        if name in stubs:
-            (out / name).write_bytes(stub_of(stubs[name]))
-        else:
-            shutil.copy2(ROOT / name, out / name)
+        found[name] = stub_of(stubs[name]) if name in stubs else (ROOT / name).read_bytes()
         if name.name == "hints.md":
-            text = (ROOT / name).read_text(encoding="utf-8")
-            (out / name).write_text(hints_of(text, {one.id for one in exercises}), encoding="utf-8")
+            found[name] = hints_of(found[name].decode(), numbers).encode()
+    return found
+
+
+def _refuse_changed(out: Path, new: dict[Path, bytes]) -> None:
+    """Refuses to write over what somebody else has written there since the last export."""
+    tag, theirs = _last_tag(out), set(new)
+    if tag:
+        ours = _written(out, tag)
+        changed = _names(_git(out, "diff", "--name-only", "--no-renames", "--diff-filter=MT", "-z", tag, "--"))
+        theirs = {name for name in changed if name in ours} | (theirs - ours)
+    lost = [name for name in sorted(theirs) if os.path.lexists(out / name) and not _is_same(out / name, new.get(name))]
+    if lost:
+        named = ", ".join(map(str, lost[:_NAMED])) + (", ..." if len(lost) > _NAMED else "")
+        verb = "has" if len(lost) == 1 else "have"
+        raise CourseError(f"export: {counted(len(lost), 'file')} in {out} {verb} changed since {tag or 'the export'} and "
+                          f"would be written over: {named}; move your lines to files of their own, and take each change "
+                          f"back:  git -C {shlex.quote(str(out))} checkout {tag or 'HEAD'} -- FILE")
+
+
+def _is_same(file: Path, content: bytes | None) -> bool:
+    """Returns True if a file has this content, whatever version it states: an export that was interrupted wrote it."""
+    if content is None or file.is_symlink() or not file.is_file():
+        return False
+    stated = [_VERSION.sub(r"\1", os.fsdecode(text)) for text in (file.read_bytes(), content)]
+    return stated[0] == stated[1]
+
+
+def _write(out: Path, exercises: tuple[Exercise, ...], machine: str, objects: Path) -> None:
+    """Writes the export. Of an earlier one remain other machines' objects, and all files that it did not write."""
+    new, tag = contents(exercises), _last_tag(out)
+    for name in (_written(out, tag) if tag else set()) - set(new):
+        (out / name).unlink(missing_ok=True)
+    for name, content in new.items():
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
+        (out / name).unlink(missing_ok=True)
+        (out / name).write_bytes(content)
+        shutil.copymode(ROOT / name, out / name)
     place = out / _COMPILED / machine
     shutil.rmtree(place, ignore_errors=True)
     shutil.copytree(objects, place)
+    (out / _WRITTEN).write_bytes(b"".join(os.fsencode(name) + b"\n" for name in new))
     files = [f"{one.folder}/{one.function}.cpp" for one in exercises]
     (out / _LISTED).write_text("\n".join(files) + "\n", encoding="utf-8")
     compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True).stdout.splitlines()
@@ -132,42 +170,70 @@ def _machines(out: Path) -> list[str]:
     return sorted(folder.name for folder in (out / _COMPILED).iterdir() if folder.is_dir())
 
 
-def _tracked(out: Path) -> list[Path]:
-    if not (out / ".git").exists():
-        return []
-    return [Path(name) for name in _git(out, "ls-files", "-z").split("\0") if name]
+def _last_tag(out: Path) -> str:
+    """Returns the tag of the last export; empty if there is none."""
+    tags = _git(out, "tag", "--list", "v*.*.*").split() if (out / ".git").exists() else []
+    found = [tag for tag in tags if _TAG.fullmatch(tag)]
+    return max(found, key=_numbers, default="")
+
+
+def _numbers(tag: str) -> tuple[int, ...]:
+    return tuple(map(int, tag.removeprefix("v").split(".")))
+
+
+def _written(out: Path, tag: str) -> set[Path]:
+    """Returns the files that an export has written, but for those in solutions/compiled."""
+    files = _names(_git(out, "ls-tree", "-r", "-z", "--name-only", "--full-tree", tag))
+    if _WRITTEN in files:
+        return {Path(name) for name in _git(out, "show", f"{tag}:{_WRITTEN.as_posix()}").splitlines()}
+    return {name for name in files if _COMPILED not in name.parents}  # an export of a course without this list
+
+
+def _names(listing: str) -> list[Path]:
+    return [Path(name) for name in listing.split("\0") if name]
 
 
 def _commit(out: Path, exercises: tuple[Exercise, ...]) -> str:
     """Commits a release: its version is the course's, and each further export increases the last number by one."""
     if not (out / ".git").exists():
         _git(out, "init", "-q", "-b", "main")
-    tags = [tag[1:] for tag in _git(out, "tag", "--list", "v*.*.*").split()]
-    numbers = [tuple(map(int, tag.split("."))) for tag in tags if re.fullmatch(r"\d+\.\d+\.\d+", tag)]
-    own = tuple(map(int, version().split(".")))
-    last = max(numbers, default=None)
+    tag = _last_tag(out)
+    own, last = _numbers(version()), _numbers(tag) if tag else None
+    ours = {*map(Path, os.fsdecode((out / _WRITTEN).read_bytes()).splitlines()), *(_written(out, tag) if tag else ())}
     lists = out / "CMakeLists.txt"
     text = lists.read_text(encoding="utf-8")
     if last and last >= own:
         lists.write_text(_VERSION.sub(rf"\g<1>{'.'.join(map(str, last))}", text), encoding="utf-8")
-        _git(out, "add", "-A", "--", ".")
-        if not _git(out, "status", "--porcelain", "--untracked-files=no"):
+        _stage(out, ours)
+        if not _git(out, "diff", "--cached", "--name-only"):
             return ".".join(map(str, last))
         lists.write_text(_VERSION.sub(rf"\g<1>{last[0]}.{last[1]}.{last[2] + 1}", text), encoding="utf-8")
     release = stated_in(lists.read_text(encoding="utf-8"))
-    _git(out, "add", "-A", "--", ".")
+    _stage(out, ours)
     named = () if _git(out, "config", "--default", "", "user.email") else _UNNAMED
     _git(out, *named, "commit", "-q", "-m", f"The course {release}, exercises of {as_list(exercises)}")
     _git(out, *named, "tag", "-a", f"v{release}", "-m", f"The course {release}")
     return release
 
 
+def _stage(out: Path, ours: set[Path]) -> None:
+    """Adds what the export has written or removed to git's index, and no other file of the folder."""
+    known = set(_names(_git(out, "ls-files", "-z")))
+    names = [name for name in sorted(ours) if name in known or os.path.lexists(out / name)]
+    listed = b"\0".join(map(os.fsencode, [*names, _COMPILED]))
+    _run(["git", "--literal-pathspecs", "-C", str(out), "add", "-A", "-f", "--pathspec-from-file=-",
+          "--pathspec-file-nul"], out, listed)
+
+
 def _git(out: Path, *words: str) -> str:
     return _run(["git", "-C", str(out), *words], out)
 
 
-def _run(command: list[str], folder: Path) -> str:
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+def _run(command: list[str], folder: Path, given: bytes = b"") -> str:
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, input=given)
+    except FileNotFoundError:
+        raise CourseError(f"export: {command[0]} is missing; ./course start installs it") from None
     if done.returncode != 0:
-        raise CourseError(f"export: {command[0]} failed", done.stderr.strip())
-    return done.stdout
+        raise CourseError(f"export: {command[0]} failed", os.fsdecode(done.stderr).strip())
+    return os.fsdecode(done.stdout)
