@@ -267,6 +267,66 @@ class WithAnswers(Updating):
         self.assertEqual(self.text(f"{DRIFT}.mine-1"), MINE)
         self.assertEqual(git(self.mine, "status", "--porcelain").split(), ["M", DRIFT])  # .mine-1 is ignored
 
+    def reset(self, folder: Path | None = None):
+        return subprocess.run([str((folder or self.mine) / "course"), "reset", "1.1"], capture_output=True, text=True,
+                              env=os.environ | _IDENTITY)
+
+    def half_done(self, folder: Path) -> bytes:
+        """Commits half an answer, which has the marker, too; returns the stub."""
+        stub = (folder / KICK).read_bytes()
+        edit(folder, KICK, "  not_implemented(", "  Vec3 half = v;\n  not_implemented(")
+        git(folder, "commit", "-qam", "Half done")
+        return stub
+
+    def assert_reset(self, stub: bytes, folder: Path | None = None) -> None:
+        done = self.reset(folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(((folder or self.mine) / KICK).read_bytes(), stub)
+
+    def test_reset_restores_the_stub_and_not_half_an_answer(self):
+        stub = self.half_done(self.mine)
+        git(self.mine, "tag", "v7.0.0")  # no release, since the course is of another version
+        self.assert_reset(stub)
+        git(self.mine, "tag", "-d", "v1.0.0")  # as in a copy without tags, whose upstream is known
+        git(self.mine, "checkout", "-q", "--", KICK)
+        self.assert_reset(stub)
+        git(self.mine, "checkout", "-q", "--", KICK)
+        git(self.original, "checkout", "-q", "--detach")
+        git(self.mine, "push", "-q", "origin", "HEAD")  # a repository of the student's own has the half answer, too
+        self.assert_reset(stub)
+
+    def test_reset_takes_the_stub_of_the_newest_release(self):
+        for version in ("1.1.0", "1.10.0", "1.9.0"):
+            edit(self.original, KICK, "Eq. (", f"{version}: Eq. (")
+            release(self.original, version)
+        git(self.mine, "pull", "-q")
+        edit(self.mine, KICK, "1.9.0", "mine")
+        self.half_done(self.mine)
+        self.assert_reset((git(self.original, "show", f"v1.10.0:{KICK}") + "\n").encode())
+
+    def test_reset_in_a_repository_without_releases(self):
+        """Made from a template, with one commit that is not the student's."""
+        shutil.rmtree(self.mine / ".git")
+        git(self.mine, "init", "-q")
+        git(self.mine, "add", "-A")
+        git(self.mine, "commit", "-qm", "The course")
+        stub = (self.mine / KICK).read_bytes()
+        edit(self.mine, KICK, "// Eq.", "// Mine: Eq.")
+        git(self.mine, "commit", "-qam", "A note")
+        self.half_done(self.mine)
+        self.assert_reset(stub)
+
+    def test_reset_in_a_shallow_clone_names_the_command_that_fetches_the_rest(self):
+        self.half_done(self.mine)
+        shallow = self.here / "shallow"
+        git(self.here, "clone", "-q", "--depth", "1", f"file://{self.mine}", str(shallow))
+        edit(shallow, KICK, "half", "mine")
+        before = snapshot(shallow)
+        done = self.reset(shallow)
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
+        self.assertIn("git fetch --unshallow", done.stderr)
+        self.assertEqual(snapshot(shallow), before)
+
     def test_committed_staged_and_edited_once_more(self):
         self.release()
         for text in ("committed", "staged", "edited"):

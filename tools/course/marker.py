@@ -12,6 +12,7 @@ _COMMENT_OR_LITERAL = re.compile(
     re.DOTALL,
 )
 _MARKER = re.compile(r"\bnot_implemented\s*\(")
+_NOTHING_ELSE = re.compile(r"\{\s*not_implemented\s*\([^;{}]*\)\s*;\s*\}")
 
 
 def code_of(source: str) -> str:
@@ -36,6 +37,12 @@ def source_line(source: str, position: int) -> int:
 
 def is_stub(source: str) -> bool:
     return marker_line(source) is not None
+
+
+def is_untouched(source: str) -> bool:
+    """Returns True if a file is a stub and nothing else: one function, which only calls not_implemented()."""
+    code = code_of(source)
+    return code.count("{") == 2 and _NOTHING_ELSE.search(code) is not None
 
 
 def is_empty(source: str) -> bool:

@@ -21,7 +21,7 @@ from machine import require_linux
 from manifest import Exercise, all_exercises
 from paths import ROOT
 from pick import as_list
-from reset import stub_of
+from reset import newest_stub_of
 from terminal import counted
 from tree import Tree
 from version import stated_in, version
@@ -100,7 +100,7 @@ def contents(exercises: tuple[Exercise, ...]) -> dict[Path, bytes]:
     for name in course_files():
         if name in others or _is_left_out(name, kept):
             continue
-        found[name] = stub_of(stubs[name]) if name in stubs else (ROOT / name).read_bytes()
+        found[name] = newest_stub_of(stubs[name]) if name in stubs else (ROOT / name).read_bytes()
         if name.name == "hints.md":
             found[name] = hints_of(found[name].decode(), numbers).encode()
     return found
