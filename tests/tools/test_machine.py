@@ -445,6 +445,15 @@ printf '#!/bin/sh\\nexec {sys.executable} "$@"\\n' >"$FAKE/bin/python3"; chmod +
             self.assertTrue(done.stdout.startswith("course "))
 
 
+    def test_a_cdpath_leads_nowhere_else(self):
+        fake = Fake(self)
+        (fake.root / "there" / "tools").mkdir(parents=True)
+        done = subprocess.run(["tools/../course", "--version"], capture_output=True, text=True, cwd=ROOT,
+                              env=os.environ | {"CDPATH": f"{fake.root / 'there'}:{ROOT}"})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.count("\n"), 1)
+
+
 class Container(unittest.TestCase):
     def test_it_starts_the_course_and_has_the_editors_extensions(self):
         told = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
