@@ -198,7 +198,7 @@ class Book(unittest.TestCase):
 
 
 class AnotherFolder(unittest.TestCase):
-    """A book that is written into a folder of its own."""
+    """The other files in the folder of a book that is made again."""
 
     @classmethod
     def setUpClass(cls):
@@ -211,6 +211,53 @@ class AnotherFolder(unittest.TestCase):
 
     def make(self) -> subprocess.CompletedProcess:
         return self.box.course("book", "--films", "--out", str(self.site))
+
+    def made(self) -> set[str]:
+        done = self.make()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return {path.relative_to(self.site).as_posix() for path in self.site.rglob("*") if path.is_file()}
+
+    def test_only_files_of_the_last_book_are_removed(self):
+        first = self.made()
+        kept = {".git/config": "[core]", "CNAME": "example.org", "syllabus.txt": "Monday", "old/mine.html": "mine"}
+        for name, text in kept.items():
+            (self.site / name).parent.mkdir(exist_ok=True)
+            (self.site / name).write_text(text)
+        for name in ("old/page.html", "gone/page.html"):  # of an older book
+            (self.site / name).parent.mkdir(exist_ok=True)
+            (self.site / name).write_text("an older page")
+            with open(self.site / "assets" / "files.txt", "a", encoding="utf-8") as out:
+                out.write(f"{name}\n")
+        self.assertEqual(self.made(), first | set(kept))
+        self.assertEqual({name: (self.site / name).read_text() for name in kept}, kept)
+        self.assertFalse((self.site / "gone").exists())
+        listed = (self.site / "assets" / "files.txt").read_text(encoding="utf-8").split()
+        self.assertEqual(set(listed) | {"assets/files.txt"}, first)
+
+    def test_an_interrupted_book_is_replaced(self):
+        (self.site / "assets").mkdir(parents=True)
+        (self.site / "assets" / "files.txt").write_text("index.html\nhalf.html\n")
+        for name in ("index.html", "half.html"):
+            (self.site / name).write_text("half a page")
+        names = self.made()
+        self.assertNotIn("half.html", names)
+        self.assertNotIn("half a page", (self.site / "index.html").read_text(encoding="utf-8"))
+
+    def test_a_book_without_a_list_loses_nothing(self):
+        (self.site / "assets").mkdir(parents=True)
+        for name in ("assets/index.js", "index.html", "CNAME"):
+            (self.site / name).write_text("old")
+        self.assertIn("CNAME", self.made())
+        self.assertNotEqual((self.site / "index.html").read_text(encoding="utf-8"), "old")
+
+    def test_somebody_elses_file_in_the_place_of_a_page_is_named(self):
+        (self.site / "assets").mkdir(parents=True)
+        (self.site / "assets" / "files.txt").write_text("")
+        (self.site / "manual.html").write_text("mine")
+        done = self.make()
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("manual.html", done.stderr)
+        self.assertEqual((self.site / "manual.html").read_text(), "mine")
 
     def test_untracked_pages_are_left_out_and_named(self):
         pages = ("exam/exam.md", "submissions/ann/README.md")
@@ -424,7 +471,7 @@ class Refused(unittest.TestCase):
     def test_where_it_can_not_go(self):
         (self.box.root / "mine").mkdir(exist_ok=True)
         (self.box.root / "mine" / "work.txt").write_text("weeks of it")
-        self.box.assert_refused(self, ["book", "--out", "mine"], ["mine", "would be deleted"])
+        self.box.assert_refused(self, ["book", "--out", "mine"], ["mine", "holds files and no book"])
         self.assertEqual((self.box.root / "mine" / "work.txt").read_text(), "weeks of it")
         self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is not a folder"])
         self.box.assert_refused(self, ["book", "--publish", "nowhere"], ["'nowhere'", "git remote"])

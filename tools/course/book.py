@@ -4,6 +4,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from binding.folder import has_book
 from binding.outline import new_pages
 from binding.site import build
 from binding.views import film_pages
@@ -53,9 +54,9 @@ def _engine(mine: list[Exercise]) -> Path | None:
 
 
 def _target(folder: Path) -> Path:
-    """Checks that the target is empty or an old book, which is replaced."""
-    if folder.exists() and not (folder / "assets" / "index.js").exists() and not _is_empty(folder):
-        raise BadInput(f"book: {folder} holds files other than a book, which would be deleted; choose another --out")
+    """Checks that the target is empty or has an old book, which is replaced."""
+    if folder.exists() and not has_book(folder) and not _is_empty(folder):
+        raise BadInput(f"book: {folder} holds files and no book; choose another --out")
     if not folder.absolute().parent.is_dir():
         raise BadInput(f"book: {folder} cannot be written: {folder.absolute().parent} is not a folder")
     return folder

@@ -9,6 +9,7 @@ from string import Template
 
 from binding.code import highlighted, language_of
 from binding.exercises import exercises_of
+from binding.folder import Folder
 from binding.formulas import files, rendered
 from binding.front import front, stills
 from binding.glossary import linked, terms, with_anchors
@@ -18,6 +19,7 @@ from binding.outline import FRONT, Page, between, pages
 from binding.problems import Problem
 from binding.reading import Draft, read
 from binding.typefaces import typefaces
+from binding.views import pages_of_films
 from binding.writing import Equations, written
 from errors import CourseError
 from page import engine_file, figure
@@ -31,7 +33,7 @@ _STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "re
 
 
 def build(folder: Path, views: bool = False, engine: Path | None = None, mine: bool = False) -> int:
-    """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
+    """Writes the site into the folder, in place of an earlier one; how many pages it has. With `views`, films are links
     to pages that binding.views makes; with the engine as WebAssembly, figures run in their place; `mine` says that it has a
     student's functions in it."""
     drafts = [read(page, exercises_of(page.source)) for page in pages()]
@@ -40,29 +42,32 @@ def build(folder: Path, views: bool = False, engine: Path | None = None, mine: b
     bodies = _with_terms(drafts, [written(draft, links, equations, views, engine is not None, mine)
                                  for draft in drafts])
     _refuse([problem for draft in drafts for problem in draft.problems])
-    shutil.rmtree(folder, ignore_errors=True)
+    site = Folder(folder)
     template = Template((BOOK / "page.html").read_text(encoding="utf-8"))
     outline = [FRONT, *(draft.page for draft in drafts)]
     bodies.append(front(outline, views, engine is not None))
-    _write(folder / FRONT.target, _page(template, FRONT, bodies[-1], outline))
+    _write(site.place(FRONT.target), _page(template, FRONT, bodies[-1], outline))
     for place, content in stills(outline).items():
-        _write_bytes(folder / place, content)
+        site.place(Path(place)).write_bytes(content)
     for draft, body in zip(drafts, bodies):
-        _write(folder / draft.page.target, _page(template, draft.page, body, outline, _contents(draft)))
+        _write(site.place(draft.page.target), _page(template, draft.page, body, outline, _contents(draft)))
     for source in sorted(links.sources):
-        _write(folder / code_page(source), _code(template, source, outline))
+        _write(site.place(code_page(source)), _code(template, source, outline))
     for picture in links.pictures:
-        _copy(ROOT / picture, folder / picture)
+        shutil.copyfile(ROOT / picture, site.place(picture))
     for name in _STYLES_AND_SCRIPTS:
-        _copy(BOOK / name, folder / _ASSETS / name)
+        shutil.copyfile(BOOK / name, site.place(_ASSETS / name))
     for place, file in files().items():
-        _copy(file, folder / place)
+        shutil.copyfile(file, site.place(Path(place)))
     if engine:
-        _write(folder / PAGE, figure())
-        _write(folder / ENGINE, engine_file(engine))
-    _write_typefaces(folder, "".join([*bodies, *(page.title + page.group for page in outline)]))
-    _write(folder / _ASSETS / "index.js", _index(drafts))
-    (folder / ".nojekyll").touch()  # for hosts that would leave out files whose names begin with _
+        _write(site.place(PAGE), figure())
+        _write(site.place(ENGINE), engine_file(engine))
+    for place in pages_of_films() if views else ():  # which binding.views writes
+        site.place(place)
+    _write_typefaces(site, "".join([*bodies, *(page.title + page.group for page in outline)]))
+    _write(site.place(_ASSETS / "index.js"), _index(drafts))
+    _write(site.place(Path(".nojekyll")), "")  # for hosts that would leave out files whose names begin with _
+    site.finish()
     return len(drafts)
 
 
@@ -159,21 +164,10 @@ def _index(drafts: list[Draft]) -> str:
     return f"window.bookIndex = {json.dumps(kept, ensure_ascii=False)};\n"
 
 
-def _write_typefaces(folder: Path, text: str) -> None:
+def _write_typefaces(site: Folder, text: str) -> None:
     for place, content in typefaces(html.unescape(text)).items():
-        _write_bytes(folder / place, content)
+        site.place(Path(place)).write_bytes(content)
 
 
 def _write(path: Path, text: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
-
-
-def _write_bytes(path: Path, content: bytes) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(content)
-
-
-def _copy(source: Path, target: Path) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(source, target)

@@ -15,6 +15,10 @@ def page_of_film(source: Path) -> Path:
     return _FOLDER / f"{source.parent.name or 'README'}.html"
 
 
+def pages_of_films() -> list[Path]:
+    return [_FOLDER / f"{name}.html" for name in films()]
+
+
 def _way_back(name: str) -> tuple[str, str]:
     """Returns the address and title of the page that shows the film."""
     page = FRONT if name == "README" else next(page for page in pages() if page_of_film(page.source).stem == name)
@@ -22,12 +26,12 @@ def _way_back(name: str) -> tuple[str, str]:
 
 
 def film_pages(folder: Path, mine: bool = False) -> None:
-    """Runs what is filmed, perhaps with the student's functions, and writes the pages into the site."""
+    """Runs what is filmed, perhaps with the student's functions, and writes the pages into the site, which has their
+    folder."""
     from arguments import parse
     from terminal import Bar
     from view import view
 
-    (folder / _FOLDER).mkdir()
     bar = Bar("views", len(films()))
     for name, film in films().items():
         arguments = parse([*words(film), *(["--mine"] if mine else []), "--out", str(folder / _FOLDER / f"{name}.html")])
