@@ -8,6 +8,9 @@ import zipfile
 
 from classroom import Classroom, right
 
+from errors import BadInput
+from grading.roster import Roster, read_roster
+
 KICK = "chapters/01_leapfrog/kick.cpp"
 WRONG = right("kick").replace("v + ", "")
 
@@ -257,6 +260,41 @@ EXERCISE_TEST(Kick, HoldsForDrawnForces) {
                 self.assertEqual((run.returncode, run.stdout), (2, ""))
                 self.assertIn(said, run.stderr)
                 self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+
+
+class NumbersOnARoster(unittest.TestCase):
+    def setUp(self):
+        self.room = Classroom()
+        self.addCleanup(self.room.close)
+
+    def roster(self, text: str) -> Roster:
+        file = self.room.root / "roster.csv"
+        file.write_text(text)
+        return read_roster(file)
+
+    def test_a_fraction_of_zeros_changes_no_number(self):
+        """Pandas writes the numbers of a column with an empty cell as fractions."""
+        results = [{"submission": f"Participant {number}", "student": "", "identifier": number} for number in ("1010", "101")]
+        for cells in (("101.0", "1010.0"), ("101.00", "1010.00"), ('"101,0"', '"1010,0"'), ("101", "1010")):
+            roster = self.roster("Name,ID\n{},{}\n{},{}\n".format("Ann Lee", cells[0], "Bob Ray", cells[1]))
+            found, missing, strangers = roster.matched(results)
+            self.assertEqual({name: row["Name"] for name, row in found.items()},
+                             {"Participant 101": "Ann Lee", "Participant 1010": "Bob Ray"}, cells)
+            self.assertEqual((missing, strangers), ([], []))
+            self.assertEqual([roster.number_of(row) for row in roster.rows], ["101", "1010"])
+
+    def test_groups_of_digits_are_one_number(self):
+        results = [{"submission": "x", "student": "", "identifier": "12345000"}]
+        for cell in ("12.345.000", "12-345-000", "s12345000"):
+            self.assertEqual(list(self.roster(f"Name,ID\nAnn Lee,{cell}\nBob Ray,12345\n").matched(results)[0]), ["x"])
+
+    def test_rounded_numbers_are_refused(self):
+        for cell in ("1.01E+06", "1.01e+06", '"1,01E+06"', "1E+06"):
+            with self.assertRaises(BadInput) as refused:
+                self.roster(f"Name,ID\nAnn Lee,{cell}\nBob Ray,1010\n")
+            written = cell.strip('"')
+            self.assertIn(f"numbers that a program has rounded: {written} of Ann Lee; write", str(refused.exception))
+        self.roster("Name,ID,Mark\nAnn Lee,12E3,1.01E+06\n")  # a number with a letter, and no number of a student
 
 
 if __name__ == "__main__":

@@ -32,6 +32,11 @@ _NUMBERS = ("id", "identifier", "number", "participant", "sid", "student id", "s
             "matrikel-nr.", "numéro étudiant", "numéro d'étudiant", "matricola", "studentnummer")
 _PARTICIPANT = re.compile(r"(\D*[^\W\d_]\D*?)\s*(\d+)")  # "Participant 101", "Teilnehmer/in 101"
 
+# A number that a program has written as a fraction, and one that it has rounded.
+_WHOLE = re.compile(r"\s*(\d+)(?:\.0+|,00?)\s*")
+_ROUNDED = re.compile(r"\s*\d+(?:[.,]\d+)?[eE]\+\d+\s*")
+_MOST_NAMED = 5  # cells in an error
+
 _ABOVE_TITLES = re.compile(r"\A(?:\s*\n|sep=.\r?\n)+")  # as spreadsheets write them
 
 
@@ -187,7 +192,8 @@ class Roster:
     def number_of(self, row: dict[str, str]) -> str:
         """Returns the student's number as a platform writes it into the name of a submission; else the address, or
         nothing."""
-        cells = [row[title].strip() for title in (*self.number_columns, *self._address_columns)]
+        cells = [*(_without_fraction(row[title]).strip() for title in self.number_columns),
+                 *(row[title].strip() for title in self._address_columns)]
         told = next((text for text in cells if text), "")
         found = _PARTICIPANT.fullmatch(told) if self.participants else None
         return found[2] if found else told
@@ -211,7 +217,18 @@ def read_roster(file: Path) -> Roster:
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
     # Canvas' second line says how many points are possible, and there is a student who tests.
-    return Roster(columns, tuple(row for row in rows if roster.name_of(row) != "?" and not _is_no_student(row)))
+    roster = Roster(columns, tuple(row for row in rows if roster.name_of(row) != "?" and not _is_no_student(row)))
+    _refuse_rounded(roster, file)
+    return roster
+
+
+def _refuse_rounded(roster: Roster, file: Path) -> None:
+    cells = [f"{row[title].strip()} of {roster.name_of(row)}" for row in roster.rows for title in roster.number_columns
+             if _ROUNDED.fullmatch(row[title])]
+    if cells:
+        more = f", and {len(cells) - _MOST_NAMED} more" if len(cells) > _MOST_NAMED else ""
+        raise BadInput(f"the roster {file} has numbers that a program has rounded: {', '.join(cells[:_MOST_NAMED])}{more}; "
+                       "write the whole numbers, and save their column as text")
 
 
 def _plain(title: str) -> str:
@@ -228,7 +245,13 @@ def _is_no_student(row: dict[str, str]) -> bool:
 
 
 def _digits(text: str) -> str:
-    return "".join(re.findall(r"\d+", text))
+    return "".join(re.findall(r"\d+", _without_fraction(text)))
+
+
+def _without_fraction(text: str) -> str:
+    """Returns `101` for `101.0`, as pandas writes whole numbers, and any other cell as it is."""
+    found = _WHOLE.fullmatch(text)
+    return found[1] if found else text
 
 
 def _words(name: str) -> list[str]:
