@@ -1,5 +1,6 @@
 """Similar works are found under other names, and independent ones are not accused."""
 
+import itertools
 import random
 import re
 import tempfile
@@ -36,12 +37,15 @@ def written(draw: random.Random, length: int = 24) -> str:
     return "void solve() {\n" + "\n".join(lines) + "\n}\n"
 
 
+def renamed(source: str, draw: random.Random) -> str:
+    other = dict(zip(NAMES, draw.sample([f"my_{name}" for name in NAMES], len(NAMES))))
+    return re.sub(r"\b\w+\b", lambda word: other.get(word[0], word[0]), source)
+
+
 def disguised(source: str, draw: random.Random) -> str:
     """Returns a program with other names, comments, spaces, and a few more lines."""
-    other = dict(zip(NAMES, draw.sample([f"my_{name}" for name in NAMES], len(NAMES))))
-    source = re.sub(r"\b\w+\b", lambda word: other.get(word[0], word[0]), source)
     lines = []
-    for line in source.split("\n"):
+    for line in renamed(source, draw).split("\n"):
         lines.append(line.replace(" = ", "=").replace(", ", ",  "))
         if draw.random() < 0.3:
             lines.append("  // what I thought about this")
@@ -76,6 +80,57 @@ class Similarity(unittest.TestCase):
             draw = random.Random(seed)
             works = {"1": {f"s{k:02d}": written(draw) for k in range(CLASS)}}
             self.assertEqual(similar(works, {"1": [STUB, written(draw)]}).pairs, [], f"seed {seed}")
+
+    def test_groups_of_copies_are_found_whatever_their_size(self):
+        """Copies of all, up to all works but one; of one exercise, or with more changes, up to half of a class."""
+        for people in (9, 12, 20, 30):
+            for size in range(2, min(10, people - 1) + 1):
+                for changed in (False, True) if 2 * size <= people else (False,):
+                    draw = random.Random(100 * people + size)
+                    works = {exercise: {f"s{k:02d}": written(draw) for k in range(people)} for exercise in ("1", "2")}
+                    group = sorted(draw.sample(sorted(works["1"]), size))
+                    for exercise in ("2",) if size <= people / 2 and people % 2 == 0 else works:
+                        source = works[exercise][group[0]]
+                        for name in group[1:]:
+                            works[exercise][name] = disguised(source, draw) if changed else renamed(source, draw)
+                    pairs = similar(works, {exercise: [STUB, written(draw)] for exercise in works}).pairs
+                    self.assertEqual({(pair.first, pair.second) for pair in pairs},
+                                     set(itertools.combinations(group, 2)), f"{size} of {people}, changed: {changed}")
+
+    def test_two_groups_are_found(self):
+        draw = random.Random(SEED)
+        works = {"1": {f"s{k}": written(draw) for k in range(9)}}
+        for name in "12":
+            works["1"][f"s{name}"] = renamed(works["1"]["s0"], draw)
+        for name in "567":
+            works["1"][f"s{name}"] = renamed(works["1"]["s4"], draw)
+        pairs = similar(works, {"1": [STUB, written(draw)]}).pairs
+        self.assertEqual({(pair.first, pair.second) for pair in pairs},
+                         {*itertools.combinations(("s0", "s1", "s2"), 2), *itertools.combinations(("s4", "s5", "s6", "s7"), 2)})
+
+    def test_what_all_share_is_no_evidence(self):
+        """A part that all have, or all but one, and that no stub contains; also beside a group of copies."""
+        for people in (9, 12, 20, 30):
+            draw = random.Random(people)
+            given = written(draw, 60)
+            works = {"1": {f"s{k:02d}": given + written(draw) for k in range(people)}}
+            self.assertEqual(similar(works, {"1": [STUB, written(draw)]}).pairs, [], f"class of {people}")
+            works["1"]["s00"] = STUB
+            self.assertEqual(similar(works, {"1": [STUB, written(draw)]}).pairs, [], f"class of {people}")
+            for name in ("s01", "s02", "s03"):
+                works["1"][name] = renamed(works["1"]["s01"], draw)
+            pairs = similar(works, {"1": [STUB, written(draw)]}).pairs
+            self.assertEqual({(pair.first, pair.second) for pair in pairs},
+                             set(itertools.combinations(("s01", "s02", "s03"), 2)), f"class of {people}")
+
+    def test_what_half_of_a_class_writes_alike_is_no_evidence(self):
+        """A short exercise that has two answers, beside one that everybody writes differently."""
+        for people in (9, 12, 20, 30):
+            draw = random.Random(people)
+            answers = [written(draw, 4), written(draw, 4)]
+            works = {"1": {f"s{k:02d}": answers[k % 2] for k in range(people)},
+                     "2": {f"s{k:02d}": written(draw) for k in range(people)}}
+            self.assertEqual(similar(works, {"1": [STUB, STUB], "2": [STUB, STUB]}).pairs, [], f"class of {people}")
 
     def test_what_was_given_is_no_evidence(self):
         draw = random.Random(SEED)

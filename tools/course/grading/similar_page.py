@@ -48,8 +48,8 @@ def _page(found: Similarity) -> str:
              "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what "
              "the stubs and the reference have. Rare fingerprints count more. A pair is shown when its "
              f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have, or when the two "
-             f"have more than {MOST_ALONE:.0%} of their rare fingerprints in common. It is a reason to read both, and "
-             f"proves nothing.</p>"]
+             f"have more than {MOST_ALONE:.0%} of their rare fingerprints in common. Copies count as one work, so what "
+             "a large group has in common is rare, too. It is a reason to read both, and proves nothing.</p>"]
     if not found.pairs:
         parts.append("<p>No pair shares unusually much.</p>")
     else:
