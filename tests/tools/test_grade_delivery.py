@@ -33,7 +33,7 @@ from grading.feedback import FEEDBACK, write_feedback
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.grade import _for_a_shard, grade
 from grading.gradebook import Class, _write_grades, cell, not_graded, uncertain
-from grading.names import Student, attempt_of, safe, student_of, unseen_shown
+from grading.names import Student, attempt_of, safe, student_of, time_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import Handed, Place, read_submission
@@ -187,7 +187,8 @@ class Delivered(Finds):
                                               "13-9 - Bo - 3 - 20 nov. 2026 911/kick.cpp": KICK}))
         self.assertEqual({name: one.student.identifier for name, one in submissions.items()},
                          {"Ann Lee": "12", "Bo - 3": "13"})
-        self.assertEqual(attempt_of("12-9 - Ann Lee - 20 nov. 2026 1011"), "")
+        self.assertEqual(attempt_of("12-9 - Ann Lee - 20 nov. 2026 1011"), "2026-11-20T10:11:00")
+        self.assertEqual(attempt_of("12-9 - Ann Lee - 20 listopada 2026 1011"), "")
 
     def test_a_class_that_was_packed_again_has_a_folder_above(self):
         kicks = {f"s{k:02d}.zip": zipped({WHERE: KICK}) for k in range(25)}
@@ -316,6 +317,48 @@ class Delivered(Finds):
             self.assertEqual([note for note in read["ann"].notes if "late" in note], [f"late, so not counted: {late}"])
             self.assertEqual(read["bo"].notes, [])
             self.assertIn("late: the name that the platform gave says so, or its time", read["cy"].notes)
+
+    def test_brightspaces_time_in_every_form(self):
+        for text, expected in (("Nov 20, 2026 1011 AM", (11, 20, 10, 11)), ("November 20, 2026 1211 AM", (11, 20, 0, 11)),
+                               ("30 November, 2026 1011", (11, 30, 10, 11)), ("1 December, 2026 0900", (12, 1, 9, 0)),
+                               ("1 December, 2026 900", (12, 1, 9, 0)), ("21. Nov. 2026 1011", (11, 21, 10, 11)),
+                               ("20 Nov 2026 1011 p.m.", (11, 20, 22, 11)), ("3 M\u00e4rz 2026 2359", (3, 3, 23, 59)),
+                               ("20 de noviembre de 2026 0005", (11, 20, 0, 5)), ("4 d\u00e9c. 2026 1630", (12, 4, 16, 30)),
+                               ("1 juin 2026 0800", (6, 1, 8, 0)), ("1 juillet 2026 0800", (7, 1, 8, 0)),
+                               ("2 marraskuuta 2026 0800", (11, 2, 8, 0)), ("mar 24 nov 2026 1011", None),
+                               ("20 listopada 2026 1011", None), ("31 November, 2026 1011", None),
+                               ("20 Nov 2026 2511", None), ("20 Nov 2026 1311 PM", None), ("20 Nov 2026 1011 Uhr", None)):
+            time_read = time_of(f"123-1 - Ann Lee - {text}")
+            self.assertEqual(time_read, datetime(2026, *expected) if expected else None, text)
+
+    def test_a_day_before_its_month_makes_late(self):
+        names = [f"123-{k} - Ann Lee - {text}" for k, text in enumerate(("30 November, 2026 1011", "1 December, 2026 0900"))]
+        folder = self.put({f"{name}/kick.cpp": str(k).encode() for k, name in enumerate(names)})
+        for due, taken, late in ((datetime(2026, 11, 20), b"1", True), (datetime(2026, 11, 30, 12), b"0", False),
+                                 (datetime(2026, 12, 1, 9), b"1", False)):
+            delivery = find_submissions([folder], self.root / "out")
+            delivery.drop_late(due)
+            read, = (read_submission(one, all_exercises(), ON_TIME) for one in delivery.handed)
+            self.assertEqual((read.sources["kick"].content, read.student.late), (taken, late), due)
+
+    def test_who_has_no_time_is_named(self):
+        due = datetime(2026, 11, 20)
+        for names, with_due, without in (
+                (("1-9 - Ann Lee - 20 listopada 2026 1011", "2-9 - Bo Ek - Nov 20, 2026 1011 AM",
+                  "2-9 - Bo Ek - Ob 20, 2026 1011 AM", "3-9 - Cy Oh - 20 Nov 2026 1011"),) + (["Ann Lee", "Bo Ek"],) * 2,
+                (("ann", "bo"), ["ann", "bo"], []),
+                (("Ann_1_assignsubmission_file_", "Bo_2_assignsubmission_file_"), ["Ann", "Bo"], []),
+                (("HW_ann_attempt_2026-11-20-09-00-00_kick.cpp", "HW_bo_attempt_2026-11-20-09-00-00_kick.cpp"), [], []),
+                (("leeann_12_55_kick.cpp", "ekbo_LATE_13_57_kick.cpp"), [], [])):
+            folder = self.put({name if name.endswith(".cpp") else f"{name}/kick.cpp": KICK for name in names}, names[0][:5])
+            delivery = find_submissions([folder], self.root / "out")
+            self.assertEqual((delivery.without_time(due), delivery.without_time(None)), (with_due, without), names)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), unittest.mock.patch("grading.grade.Grader", side_effect=BadInput("stop")):
+            with self.assertRaisesRegex(BadInput, "stop"):
+                grade(parse(["grade", str(self.root / "ann"), "--yes", "--attempt", ON_TIME, "--due", "2026-11-20T23:59"]))
+        self.assertEqual(" ".join(said.getvalue().split()),
+                         "The time of these submissions cannot be read, so they count as on time: ann, bo.")
 
     def test_a_shard_is_told_when_it_is_due(self):
         words = ["grade", "in", "--attempt", ON_TIME, "--due", "2026-11-20T23:59"]

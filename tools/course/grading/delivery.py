@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 from errors import BadInput
 from grading.archives import is_archive, is_litter, names_in, text, without_suffix
 from grading.gradescope_export import METADATA, submitters
-from grading.names import Student, is_late, look, platforms_of, safe, student_of
+from grading.names import Student, is_late, lacks_time, look, platforms_of, safe, student_of
 from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
@@ -42,6 +42,10 @@ class Delivery:
     def drop_late(self, due: datetime | None) -> None:
         """Drops the late attempts of students who also have one on time. Those of other students stay, and are late."""
         self.handed = [_on_time(one, due) for one in self.handed]
+
+    def without_time(self, due: datetime | None) -> list[str]:
+        """Returns the names of submissions of which some attempt has no time that can be read."""
+        return [one.name for one in self.handed if any(lacks_time(place.name, due) for place in one.places)]
 
 
 def _on_time(handed: Handed, due: datetime | None) -> Handed:

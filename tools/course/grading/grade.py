@@ -68,6 +68,7 @@ def _grade(arguments) -> int:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
     delivery = find_submissions([Path(path) for path in arguments.paths], out)
     if arguments.attempt == ON_TIME:
+        _say_who_has_no_time(delivery.without_time(arguments.due))
         delivery.drop_late(arguments.due)
     names = [one.name for one in delivery.handed]
     if delivery.doubts and not arguments.yes:
@@ -107,11 +108,19 @@ def _ask(delivery: Delivery) -> None:
     """Reports how a download of unknown form was understood; on a terminal it asks before it grades."""
     for doubt in delivery.doubts:
         print(fold(doubt))
-    names = [one_line(one.name) for one in delivery.handed]
-    more = f", and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    print(fold(f"Each of these is taken for one submission: {', '.join(names[:_NAMED])}{more}."))
+    print(fold(f"Each of these is taken for one submission: {_named([one.name for one in delivery.handed])}."))
     if sys.stdin and sys.stdin.isatty() and input("Grade these? [y/N] ").strip().lower() not in ("y", "yes"):
         raise BadInput("grade: nothing was graded; README of tools/course/grading has the forms that are read")
+
+
+def _named(names: list[str]) -> str:
+    more = f", and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return ", ".join(one_line(name) for name in names[:_NAMED]) + more
+
+
+def _say_who_has_no_time(names: list[str]) -> None:
+    if names:
+        print(fold(f"The time of these submissions cannot be read, so they count as on time: {_named(names)}."))
 
 
 def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:

@@ -4,7 +4,7 @@ FIRST LAST_101_assignsubmission_file_/work.zip            Moodle, a folder each
 FIRST LAST_101_assignsubmission_file_work.zip             Moodle, without folders
 lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, file's name
 Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, time; a .txt each about the attempt
-12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each
+12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each; or 20 November, 2026 1011
 """
 
 import contextlib
@@ -25,6 +25,13 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_
 _AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # Canvas' name for a file that was handed in again
 _BLACKBOARD = re.compile(r"(?P<head>.+?_(?P<name>[^_]+))_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
 _BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\D*\d{1,2}\D+\d{4}\D+\d{3,4}\D*)")  # in any language
+_CLOCK = re.compile(r"(\D*)(\d+)(\D+)(\d{4})(\D+?)(\d{3,4})(\D*)")  # of Brightspace's time
+_WORD = re.compile(r"[^\W\d_]+")
+# How the months begin in English, German, French, Spanish, Italian, Portuguese, Dutch and Nordic languages, by number. Of four
+# letters are those whose first three mean another month, as in Finnish.
+_MONTHS = {beginning: number for number, beginnings in enumerate(
+    ("jan ene gen", "feb fev", "mar maa mrt mrz", "apr avr abr", "may mai maj mei mag", "jun juin giu", "jul juil lug",
+     "aug aou ago", "sep set", "oct okt ott out", "nov marr", "dec dez dic des"), 1) for beginning in beginnings.split()}
 
 
 @dataclass(frozen=True)
@@ -94,9 +101,32 @@ def time_of(name: str) -> datetime | None:
         if found := _BLACKBOARD.fullmatch(name):
             return datetime.strptime(found["time"], "%Y-%m-%d-%H-%M-%S")
         if found := _BRIGHTSPACE.fullmatch(name):
-            month, day, year, clock, half = found["time"].replace(",", "").split()
-            return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p")
+            return _brightspaces_time(found["time"])
     return None
+
+
+def _brightspaces_time(text: str) -> datetime:
+    """Reads a time with the month before or after the day, on a clock of 12 or 24 hours. Raises ValueError if it is
+    in another form, or names two months, such as `mar` for Tuesday beside `nov`."""
+    before, day, between, year, after, clock, end = _CLOCK.fullmatch(text).groups()
+    months = {number for word in _WORD.findall(f"{before} {between} {after}") if (number := _month(word))}
+    if len(months) != 1:
+        raise ValueError(text)
+    half = "".join(_WORD.findall(end)).upper()
+    hours = "%I%M %p" if half else "%H%M"
+    return datetime.strptime(f"{year} {months.pop()} {day} {clock:0>4} {half}".strip(), f"%Y %m %d {hours}")
+
+
+def _month(word: str) -> int:
+    """Returns the number of a month in any of the languages known, also of a short form; 0 of another word."""
+    plain = "".join(one for one in unicodedata.normalize("NFKD", word).casefold() if one.isalpha())
+    return _MONTHS.get(plain[:4]) or _MONTHS.get(plain[:3], 0)
+
+
+def lacks_time(name: str, due: datetime | None) -> bool:
+    """Tells whether nothing in a name says when the work was handed in, although its form or `due` asks for it.
+    Canvas writes whether it is late."""
+    return time_of(name) is None and bool(_BRIGHTSPACE.fullmatch(name) or (due and not _CANVAS.fullmatch(name)))
 
 
 def is_late(name: str, due: datetime | None) -> bool:
