@@ -15,7 +15,8 @@ from pathlib import Path
 from sandbox import ROOT
 
 from grading.isolation import choose
-from grading.results import said
+from grading.results import SCHEMA, said, write_json
+from manifest import all_exercises
 
 CORPUS = ROOT / "tests" / "submissions"
 SECONDS_OF_AN_EXERCISE = 60  # so that each test of an answer that loops is run
@@ -56,6 +57,27 @@ class Classroom:
         if run.returncode != 0:
             raise AssertionError(f"./course grade ends with {run.returncode}:\n{run.stdout}{run.stderr}")
         return Marks(folder, run.stdout)
+
+
+def make_up(folder: Path, name: str, score: float, numbers: tuple[str, ...] = ("1.1",), **settings) -> None:
+    """Writes results as a grading does, without one: of exercises with two tests of a point each, the first of which
+    has `score` points."""
+    exercises = []
+    for one in (one for one in all_exercises() if one.id in numbers):
+        passed = score == 2 or bool(exercises)
+        tests = [{"name": test, "title": "A test", "verdict": "passed" if passed else "failed", "reason": "", "points": 1.0,
+                  "score": float(passed), "max_score": 1.0, "visibility": "visible", "hint": f"{one.id}/1", "message": "",
+                  "printed": ""} for test in one.tests()[:2]]
+        exercises.append({"id": one.id, "function": one.function, "chapter": one.folder, "file": f"{one.function}.cpp",
+                          "sha256": "", "state": "done" if passed else "wrong", "score": 2.0 * passed, "max_score": 2.0,
+                          "tests": tests})
+    most = sum(exercise["max_score"] for exercise in exercises)
+    result = {"schema": SCHEMA, "submission": name, "student": name, "identifier": "", "late": False, "platform": "",
+              "score": sum(exercise["score"] for exercise in exercises), "max_score": most, "points": "exercises",
+              "attempt": "last", "seed": 1, "hidden_seed": 1, "seconds_a_test": 5, "isolation": "limits", "not_denied": "",
+              "tests": "t", "notes": [], "exercises": exercises}
+    (folder / "submissions" / name / "taken").mkdir(parents=True, exist_ok=True)
+    write_json(folder / "submissions" / name / "results.json", result | settings)
 
 
 class Marks:

@@ -7,9 +7,12 @@ import signal
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
-from classroom import SECONDS_A_TEST, Classroom, Marks, beginning_with, right
+from classroom import SECONDS_A_TEST, Classroom, Marks, beginning_with, make_up, right, run_course
 from sandbox import ROOT, all_exercises
+
+from grading.merge import write_delivery
 
 CLASS = 120
 SEED = 20  # of the draw
@@ -118,6 +121,53 @@ class GradeClass(unittest.TestCase):
                                        if path.is_file()))
         for file in files:
             self.assertEqual((first.folder / file).read_bytes(), (second.folder / file).read_bytes(), file)
+
+
+class Merged(unittest.TestCase):
+    """Folders of results that were not graded, but written as the grader does."""
+
+    def setUp(self):
+        self.room = Classroom()
+        self.addCleanup(self.room.close)
+
+    def shard(self, number: int, count: int, *names: str) -> Path:
+        folder = self.room.root / f"sh{number}"
+        write_delivery(folder, list(names), [], (number, count))
+        for name in names[number - 1::count]:
+            make_up(folder, name, 2)
+        return folder
+
+    def merge(self, *folders: Path, out: Path) -> subprocess.CompletedProcess:
+        return self.room.run("--merge", *folders, "--out", out)
+
+    def test_who_is_gone_leaves_the_merged_results(self):
+        first, second, out = self.shard(1, 2, "ann", "bo"), self.shard(2, 2, "ann", "bo"), self.room.root / "M"
+        make_up(out, "gone", 2)
+        make_up(out, "ann", 0)
+        (out / "submissions" / "ann" / "taken" / "old.cpp").write_text("old")
+        run = self.merge(first, second, out=out)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("gone: graded before, and not among these results", run.stdout)
+        self.assertEqual(sorted(path.name for path in (out / "submissions").iterdir()), ["ann", "bo"])
+        self.assertTrue((out / "no longer handed in" / "gone" / "results.json").exists())
+        self.assertEqual(list((out / "submissions" / "ann" / "taken").iterdir()), [])
+        exported = run_course("export", "csv", out, cwd=self.room.root)
+        self.assertEqual({line.split(",")[0] for line in exported.stdout.splitlines()[1:]}, {"ann", "bo"}, exported.stderr)
+
+    def test_a_shard_stays_missing_until_it_is_merged(self):
+        """Also if the others were merged before, into one of their own folders."""
+        names = ("ann", "bo", "cy")
+        first, out = self.shard(1, 3, *names), self.room.root / "M"
+        for folders, target, said in (((first, first), first, "the shards 2/3, 3/3 of this grading are missing"),
+                                      ((first,), out, "the shards 2/3, 3/3 of this grading are missing"),
+                                      ((out, self.shard(3, 3, *names)), out, "shard 2/3 of this grading is missing")):
+            run = self.merge(*folders, out=target)
+            self.assertEqual(run.returncode, 1, run.stdout)
+            self.assertIn(said, run.stderr)
+            self.assertIn("bo: its shard is not done: 2/3", run.stdout)
+        run = self.merge(out, self.shard(2, 3, *names), out=out)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(self.merge(out, out=out).returncode, 0)
 
 
 if __name__ == "__main__":

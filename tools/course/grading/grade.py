@@ -171,15 +171,17 @@ def _for_a_shard(arguments) -> list[str]:
 
 def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
            names: list[str] | None = None) -> int:
-    """Merges results. `names` are all submissions, if known; results of others are removed."""
+    """Merges results. Results of other submissions in `out` are set aside. `names` are all submissions, if known."""
+    missing = missing_shards(folders) if names is None else []  # read before a merge into one of them
     results, left_out = merge(folders, out)
+    gone = set_aside(out, [result["submission"] for result in results])
     of_class = Class(left_out, roster)
     write_gradebook(out, results, of_class)
     if compare:
         _compare(out, results)
-    _say_who_is_missing(not_graded(results, of_class))
+    _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not among these results; "
+                                                         "its results are set aside" for name in gone])
     _say_what_is_uncertain(results, out)
-    missing = missing_shards(folders) if names is None else []
     print(f"{statistics_line(results)}.\n{_where(out)}.")
     if missing:
         raise CourseError(f"shard {', '.join(missing)} of this grading is missing: grade it, and merge again"
