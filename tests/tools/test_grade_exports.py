@@ -13,8 +13,10 @@ import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
-from classroom import SECONDS_A_TEST, Classroom, corpus, right, run_course
+from classroom import SECONDS_A_TEST, Classroom, corpus, make_up, right, run_course
 from sandbox import ROOT, Sandbox
+
+from exporting.kit import replaced
 
 
 def unpack(archive: Path, folder: Path) -> None:
@@ -284,6 +286,109 @@ class Exports(unittest.TestCase):
             said = json.loads((root / "results" / "results.json").read_text())
             self.assertEqual(said["score"], score, files)
             self.assertEqual(said["extra_data"]["seed"], 4)
+
+
+class Refused(unittest.TestCase):
+    """Exports that would be wrong, of results that were not graded, but written as the grader does."""
+
+    HEADER = "test,points,visibility,hint,title\n"
+
+    def setUp(self):
+        self.room = Classroom()
+        self.addCleanup(self.room.close)
+        self.root = self.room.root
+        self.marks = self.root / "marks"
+        make_up(self.marks, "ann", 2)
+
+    def export(self, *words) -> subprocess.CompletedProcess:
+        return run_course("export", *words, cwd=self.root)
+
+    def assert_refused(self, words: tuple, said: str) -> None:
+        run = self.export(*words)
+        self.assertEqual((run.returncode, run.stdout), (2, ""), words)
+        self.assertIn(said, run.stderr)
+        self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+
+    def table(self, rows: str) -> Path:
+        (self.root / "table.csv").write_text(self.HEADER + rows)
+        return self.root / "table.csv"
+
+    def hidden(self) -> Path:
+        folder = self.root / "hidden" / "01_leapfrog"
+        folder.mkdir(parents=True)
+        (folder / "secret_test.cpp").write_text('EXERCISE(Kick, "1.1 kick");\n  EXERCISE_TEST(Kick, HoldsForSevens) {}\n')
+        return folder.parent
+
+    def test_results_of_several_gradings(self):
+        other, again = self.root / "marks of more", self.root / "marks again"
+        make_up(other, "bob", 2, numbers=("1.1", "1.2"))
+        make_up(again, "ann", 0)
+        (self.root / "roster.csv").write_text("Student,ID\nann,1\nbob,2\n")
+        (self.root / "sheet.csv").write_text("Identifier,Full name,Grade,Maximum Grade\nParticipant 1,ann,,10\n")
+        for what in (("canvas", "--roster", "roster.csv"), ("moodle", "--roster", "sheet.csv"), ("csv",), ("junit",)):
+            self.assert_refused((what[0], other, self.marks, *what[1:]),
+                                "export: ann was graded with another max_score (2.0) than bob (4.0)")
+            self.assert_refused((what[0], self.marks, again, *what[1:]), "export: ann was graded twice, with different results")
+            run = self.export(what[0], other, self.marks, *what[1:], "--chapters", "1.1")  # which both were graded in
+            self.assertEqual(run.returncode, 0, run.stderr)
+        rows = list(csv.reader(io.StringIO(self.export("csv", self.marks, self.marks).stdout)))
+        self.assertEqual(len(rows), 3)
+        make_up(other, "bob", 2, seed=2)
+        self.assert_refused(("csv", self.marks, other), "bob was graded with another seed (2) than ann (1)")
+
+    def test_weights_of_tests_that_do_not_exist(self):
+        right_name, hidden = "Kick.AddsForceOverMassTimesStep", self.hidden()
+        wrong = self.table("Kcik.AddsForceOverMassTimesStep,1,visible,1.1/1,X\n")
+        said = f"has a row for Kcik.AddsForceOverMassTimesStep, which is not a test; did you mean {right_name}?"
+        for words in (("csv", self.marks), ("gradescope", self.marks), ("gradescope",), ("github",), ("autolab",),
+                      ("gradescope", "--chapters", "1"), ("gradescope", "--hidden", hidden)):
+            self.assert_refused((*words, "--weights", wrong), said)
+        hidden_row = self.table("Kick.HoldsForSevens,5,hidden,1.1/1,X\n")
+        self.assert_refused(("gradescope", "--weights", hidden_row), "has a row for Kick.HoldsForSevens, which is not a test")
+        for words in (("gradescope", "--hidden", hidden), ("gradescope", "--chapters", "2")):
+            run = self.export(*words, "--weights", hidden_row, "--out", "kit.zip")
+            self.assertEqual(run.returncode, 0, run.stderr)
+        (hidden / "weights.csv").write_text(self.HEADER + "Kick.HoldsForEights,5,hidden,1.1/1,X\n")
+        self.assert_refused(("autolab", "--hidden", hidden), "Kick.HoldsForEights, which is not a test; did you mean Kick.Hold")
+
+    def test_options_that_a_format_does_not_use(self):
+        hidden = self.hidden()
+        for words, said in (((("gradescope", "--roster", "x.csv")), "gradescope does not use --roster, but it is 'x.csv'"),
+                            (("students", "--out", "x", "--seed", "3"), "students does not use --seed, but it is '3'"),
+                            (("weights", "--hidden", "x"), "weights does not use --hidden, but it is 'x'"),
+                            (("weights", self.marks), "weights takes no results"),
+                            (("students", self.marks, "--out", "x"), "students takes no results"),
+                            (("csv", self.marks, "--seed", "3"), "csv does not use --seed, but it is '3'"),
+                            (("csv", self.marks, "--roster", "x.csv"), "csv does not use --roster"),
+                            (("junit", self.marks, "--hidden-seed", "3"), "junit does not use --hidden-seed"),
+                            (("moodle", self.marks, "--assignment", "HW"), "moodle does not use --assignment, but it is 'HW'"),
+                            (("github", self.marks, "--seed", "3"), "github of results does not use --seed"),
+                            (("csv", self.marks, "--hidden", hidden), "has no weights.csv")):
+            self.assert_refused(words, said)
+
+    def test_a_refused_kit_leaves_the_good_one(self):
+        empty = self.root / "empty"
+        empty.mkdir()
+        kits = (("gradescope", "kit.zip", ("kit.zip",)), ("github", "kit.yml", ("kit.yml", "classroom_weights.csv")),
+                ("autolab", "kit", ("kit/autograde-Makefile", "kit/autograde.tar")))
+        good = self.table("Kick.LeavesAFixedBodyAlone,7,visible,1.1/1,Fixed\n")
+        for what, out, _ in kits:
+            run = self.export(what, "--out", out, "--weights", good)
+            self.assertEqual(run.returncode, 0, run.stderr)
+        content = {file: (self.root / file).read_bytes() for _, _, files in kits for file in files}
+        names = sorted(path.name for path in self.root.rglob("*"))
+        for what, out, files in kits:
+            for table, said in (("Kick.X,1,visible,1.1/1,X\n", "Kick.X, which is not a test"), ("Kick.X,-1\n", "5 values")):
+                self.assert_refused((what, "--out", out, "--seed", "3", "--weights", self.table(table)), said)
+            if what != "github":
+                self.assert_refused((what, "--out", out, "--hidden", empty), "no hidden tests in")
+            for file in files:
+                self.assertEqual((self.root / file).read_bytes(), content[file], file)
+        with self.assertRaises(OSError), replaced(self.root / "kit.zip") as (beside,):
+            beside.write_text("half")
+            raise OSError("the disk is full")
+        self.assertEqual((self.root / "kit.zip").read_bytes(), content["kit.zip"])
+        self.assertEqual(sorted(path.name for path in self.root.rglob("*")), names)
 
 
 if __name__ == "__main__":

@@ -186,8 +186,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
                          help="points for whole exercises, for each test, or for all exercises alike")
     command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="time limit of a test on the platform")
     command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table exported by the platform")
-    command.add_argument("--assignment", default="Assignment", metavar="TITLE",
-                         help="title of the column in Canvas: Name (number)")
+    command.add_argument("--assignment", metavar="TITLE",
+                         help="for canvas: title of the column, Name (number) (default: Assignment)")
     _add_update(add("update", "change to another release of the course; your files are kept"))
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "test this checkout; --all: run every test")):

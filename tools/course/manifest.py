@@ -10,7 +10,7 @@ from paths import CHAPTERS, ROOT, SOLUTIONS
 
 _HEADING = re.compile(r"^## +([0-9]+)\.([0-9]+) +([a-z][a-z0-9_]*)\s*$")
 _ITEM = re.compile(r"^[0-9]+\. +")
-_TEST = re.compile(r"^EXERCISE_TEST\((\w+), (\w+)\)", re.MULTILINE)
+_TEST = re.compile(r"^[ \t]*EXERCISE_TEST\((\w+), (\w+)\)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -55,9 +55,7 @@ class Exercise:
 
     def tests(self) -> list[str]:
         """Returns the course's tests of it, such as Kick.AddsForceOverMass, in the order in which they run."""
-        return [f"{suite}.{test}" for file in sorted((ROOT / "tests" / self.folder).glob("*.cpp"))
-                for suite, test in _TEST.findall(file.read_text(encoding="utf-8", errors="replace"))
-                if suite == self.suite]
+        return [test for test in tests_in(ROOT / "tests" / self.folder) if test.partition(".")[0] == self.suite]
 
     def started(self) -> bool:
         source = self.source()
@@ -70,6 +68,12 @@ class Chapter:
     folder: str
     title: str
     exercises: tuple[Exercise, ...]
+
+
+def tests_in(folder: Path) -> list[str]:
+    """Returns the tests in the sources of a folder, such as Kick.AddsForceOverMass."""
+    return [f"{suite}.{test}" for file in sorted(folder.glob("*.cpp"))
+            for suite, test in _TEST.findall(file.read_text(encoding="utf-8", errors="replace"))]
 
 
 def read_chapters() -> list[Chapter]:

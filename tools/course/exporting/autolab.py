@@ -5,7 +5,7 @@ import json
 import tarfile
 from pathlib import Path
 
-from exporting.kit import check_weights, filled, hidden_files, options
+from exporting.kit import check_weights, filled, hidden_files, options, replaced
 from files import course_files
 from paths import ROOT
 
@@ -13,17 +13,19 @@ from paths import ROOT
 def write_kit(arguments) -> list[Path]:
     names = course_files()
     folder = Path(arguments.out or ".")
+    hidden, table = hidden_files(arguments), check_weights(arguments)
     folder.mkdir(parents=True, exist_ok=True)
     makefile, archive = folder / "autograde-Makefile", folder / "autograde.tar"
     words = options(arguments, "hidden", "weights.csv")
-    makefile.write_text(filled("autograde-Makefile", options=words), encoding="utf-8")
-    with tarfile.open(archive, "w") as tar:
-        for name in names:
-            _add(tar, f"course/{name}", ROOT / name)
-        for name in hidden_files(arguments):
-            _add(tar, f"hidden/{name}", Path(arguments.hidden) / name)
-        if check_weights(arguments):
-            _add(tar, "weights.csv", Path(arguments.weights))
+    with replaced(makefile, archive) as (new_makefile, new_archive):
+        new_makefile.write_text(filled("autograde-Makefile", options=words), encoding="utf-8")
+        with tarfile.open(new_archive, "w") as tar:
+            for name in names:
+                _add(tar, f"course/{name}", ROOT / name)
+            for name in hidden:
+                _add(tar, f"hidden/{name}", Path(arguments.hidden) / name)
+            if table:
+                _add(tar, "weights.csv", Path(arguments.weights))
     return [makefile, archive]
 
 

@@ -8,7 +8,7 @@ from errors import BadInput
 from exporting import autolab, github, gradescope, grades, junit, students, table, weights
 from files import left_out, new_files
 from grading.choices import TABLE
-from grading.merge import read_result, read_results
+from grading.merge import check_graded_alike, one_of_each, read_result, read_results
 from grading.results import score
 from grading.roster import read_roster
 from grading.text import one_line
@@ -25,13 +25,23 @@ _OF_ONE = {"gradescope": gradescope.of_result, "github": github.of_result, "auto
 _OF_A_ROSTER = {"canvas": "the gradebook that Canvas exports", "moodle": "the assignment's grading worksheet"}
 
 
+# The options that kits, results and the other exports use; --out and --chapters are for all.
+_OF_KITS = ("hidden", "seed", "hidden_seed", "weights", "points", "time_limit")
+_OF_RESULTS = ("hidden", "weights", "points", "time_limit")  # the last has an error of its own
+_OPTIONS = (*_OF_KITS, "roster", "assignment")
+_ASSIGNMENT = "Assignment"
+
+
 def export(arguments) -> int:
     what, out = arguments.what, arguments.out
+    _refuse_unused(arguments)
     if what == "weights":
         return _write(weights.table(arguments.chapters), out)
     if arguments.results:
-        results = [result for path in arguments.results for result in _read(Path(path))]
+        found = one_of_each([(Path(path), _read(Path(path))) for path in arguments.results], "export")
+        results = list(found.values())
         _weigh_again(results, arguments)
+        check_graded_alike(results, "export")
         if what in _OF_A_ROSTER:
             return _grades(what, results, arguments)
         if what in _OF_MANY:
@@ -48,6 +58,20 @@ def export(arguments) -> int:
     return 0
 
 
+def _refuse_unused(arguments) -> None:
+    """Refuses results and options that would change nothing."""
+    what = arguments.what
+    if arguments.results and what not in (*_OF_MANY, *_OF_ONE, *_OF_A_ROSTER):
+        raise BadInput(f"export: {what} takes no results, but {arguments.results[0]} is given")
+    used = () if what in ("weights", "students") else _OF_KITS if what in _KITS and not arguments.results else _OF_RESULTS
+    if what in _OF_A_ROSTER:
+        used = (*used, "roster", "assignment") if what == "canvas" else (*used, "roster")
+    for name in _OPTIONS:
+        if name not in used and (value := getattr(arguments, name)) is not None:
+            kind = f"{what} of results" if arguments.results and what in _KITS else what
+            raise BadInput(f"export: {kind} does not use --{name.replace('_', '-')}, but it is {str(value)!r}")
+
+
 def _grades(what: str, results: list[dict], arguments) -> int:
     if not arguments.roster:
         raise BadInput(f"export: {what} needs --roster FILE: {_OF_A_ROSTER[what]}")
@@ -56,7 +80,7 @@ def _grades(what: str, results: list[dict], arguments) -> int:
         why = one_line(reason) or f"not in {arguments.roster}"
         print(f"left out of the import: {one_line(name)}: {why}", file=sys.stderr)
     if what == "canvas":
-        return _write(grades.for_canvas(results, roster, arguments.assignment), arguments.out)
+        return _write(grades.for_canvas(results, roster, arguments.assignment or _ASSIGNMENT), arguments.out)
     return _write(grades.for_moodle(results, roster), arguments.out)
 
 
@@ -69,8 +93,14 @@ def _weigh_again(results: list[dict], arguments) -> None:
     if not (arguments.weights or hidden or arguments.points or arguments.chapters):
         return
     weights = {}
+    if hidden and not (hidden / "weights.csv").exists():
+        raise BadInput(f"export: --hidden {hidden} has no weights.csv; of hidden tests results use only that table")
     if arguments.weights or hidden:
-        weights = defaults(all_exercises()) | read_weights(Path(arguments.weights or TABLE), hidden).rows()
+        table = read_weights(Path(arguments.weights or TABLE), hidden)
+        graded = {test["name"] for result in results for exercise in result["exercises"] for test in exercise["tests"]}
+        weights = defaults(all_exercises())
+        table.check_names(list(graded | weights.keys()), {test.partition(".")[0] for test in graded})
+        weights |= table.rows()
     chosen = {exercise.function: exercise for exercise in arguments.chapters or ()}
     for result in results:
         result["points"] = arguments.points or result["points"]
@@ -89,8 +119,11 @@ def _weigh_again(results: list[dict], arguments) -> None:
             result[key] = round(sum(exercise[key] for exercise in result["exercises"]), 9)
 
 
-def _read(path: Path) -> list[dict]:
-    return list(read_results(path).values()) if path.is_dir() else [read_result(path)]
+def _read(path: Path) -> dict[str, dict]:
+    if path.is_dir():
+        return read_results(path)
+    result = read_result(path)
+    return {result["submission"]: result}
 
 
 def _write(text: str, out: str | None) -> int:

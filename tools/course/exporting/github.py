@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 
 from errors import BadInput
-from exporting.kit import check_weights, filled, options
+from exporting.kit import check_weights, filled, options, replaced
 
 
 def write_kit(arguments) -> list[Path]:
@@ -16,14 +16,15 @@ def write_kit(arguments) -> list[Path]:
         raise BadInput("export: hidden tests cannot be kept from those who own the workflow; grade them yourself")
     out = Path(arguments.out or "classroom.yml")
     words = options(arguments, "", "course/tests/classroom_weights.csv")
-    out.write_text(filled("classroom.yml", options=words), encoding="utf-8")
     table = check_weights(arguments)
-    if not table:
-        return [out]
-    beside = out.with_name("classroom_weights.csv")
-    beside.write_bytes(table)
-    print("Put classroom_weights.csv into tests/ of your copy of the course: the workflow reads it there.")
-    return [out, beside]
+    files = [out, out.with_name("classroom_weights.csv")] if table else [out]
+    with replaced(*files) as new:
+        new[0].write_text(filled("classroom.yml", options=words), encoding="utf-8")
+        if table:
+            new[1].write_bytes(table)
+    if table:
+        print("Put classroom_weights.csv into tests/ of your copy of the course: the workflow reads it there.")
+    return files
 
 
 def of_result(result: dict) -> str:

@@ -5,7 +5,7 @@ import zipfile
 from pathlib import Path
 
 from errors import BadInput
-from exporting.kit import check_weights, filled, hidden_files, options
+from exporting.kit import check_weights, filled, hidden_files, options, replaced
 from files import course_files
 from grading.results import said
 from paths import ROOT
@@ -21,14 +21,15 @@ def write_kit(arguments) -> list[Path]:
         if any(0xDC80 <= ord(letter) <= 0xDCFF for letter in str(name)):  # bytes that are not UTF-8
             raise BadInput(f"export: the names in a zip must be UTF-8, but this one is not: {name}; rename the file")
     words = options(arguments, "$root/source/hidden", "$root/source/weights.csv")
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+    hidden, table = hidden_files(arguments), check_weights(arguments)
+    with replaced(out) as (beside,), zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
         _add(archive, "setup.sh", filled("gradescope_setup.sh", options=words).encode(), True)
         _add(archive, "run_autograder", filled("gradescope_run.sh", options=words).encode(), True)
         for name in names:
             _add(archive, f"course/{name}", (ROOT / name).read_bytes(), (ROOT / name).stat().st_mode & 0o100 != 0)
-        for name in hidden_files(arguments):
+        for name in hidden:
             _add(archive, f"hidden/{name}", (Path(arguments.hidden) / name).read_bytes(), False)
-        if table := check_weights(arguments):
+        if table:
             _add(archive, "weights.csv", table, False)
     return [out]
 

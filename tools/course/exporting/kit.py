@@ -1,10 +1,15 @@
 """The common part of kits: hidden tests, and the grader's command line."""
 
+import contextlib
+import os
 import shlex
+from collections.abc import Iterator
 from pathlib import Path
 
 from errors import BadInput
-from grading.weights import read_rows
+from grading.choices import TABLE
+from grading.weights import defaults, read_weights
+from manifest import all_exercises, tests_in
 from pick import as_list
 
 KITS = Path(__file__).resolve().parent / "kits"
@@ -16,17 +21,32 @@ def hidden_files(arguments) -> list[Path]:
         return []
     folder = Path(arguments.hidden)
     files = sorted([*folder.glob("[0-9][0-9]_*/*.[ch]pp"), *folder.glob("weights.csv")])
-    if not files:
+    if not any(file.suffix == ".cpp" for file in files):
         raise BadInput(f"export: no hidden tests in {folder}")
     return [file.relative_to(folder) for file in files]
 
 
 def check_weights(arguments) -> bytes | None:
-    """Checks the table of weights for the platform, and returns it."""
-    if not arguments.weights:
-        return None
-    read_rows(Path(arguments.weights))
-    return Path(arguments.weights).read_bytes()
+    """Checks the tables of weights for the platform, and returns the instructor's own."""
+    exercises = arguments.chapters or all_exercises()
+    hidden = Path(arguments.hidden) if arguments.hidden else None
+    folders = sorted({hidden / exercise.folder for exercise in exercises}) if hidden else []
+    tests = [*defaults(exercises), *(test for folder in folders for test in tests_in(folder))]
+    read_weights(Path(arguments.weights or TABLE), hidden).check_names(tests, {exercise.suite for exercise in exercises})
+    return Path(arguments.weights).read_bytes() if arguments.weights else None
+
+
+@contextlib.contextmanager
+def replaced(*files: Path) -> Iterator[list[Path]]:
+    """Gives places beside the files to write to, and renames what is written only if nothing raises."""
+    beside = [file.with_name(f"{file.name}.part") for file in files]
+    try:
+        yield beside
+        for written, file in zip(beside, files):
+            os.replace(written, file)
+    finally:
+        for written in beside:
+            written.unlink(missing_ok=True)
 
 
 def options(arguments, hidden_at: str, weights_at: str) -> str:

@@ -38,6 +38,14 @@ class Weights:
     def __init__(self, rows: dict[str, Weight]):
         self._rows = rows
 
+    def check_names(self, tests: list[str], suites: set[str]) -> None:
+        """Checks that each row of one of the `suites` is of one of the `tests`, and each other row of an exercise."""
+        known = {exercise.suite for exercise in all_exercises()}
+        for test in self._rows:
+            suite = test.partition(".")[0]
+            if suite not in known or (suite in suites and test not in tests):
+                raise BadInput(f"the table of weights has a row for {test}, which is not a test{near(test, tests)}")
+
     def of(self, test: str) -> Weight:
         return self._rows[test]
 
@@ -49,13 +57,7 @@ class Weights:
 
         An expected test without a row gets the default. If it is hidden, it has no points if it is one of the `idle`.
         """
-        suites = {exercise.suite for exercise in expected.values()}
-        known = {exercise.suite for exercise in all_exercises()}
-        for test in self._rows:
-            suite = test.partition(".")[0]
-            if suite not in known or (suite in suites and test not in expected):
-                raise BadInput(f"the table of weights has a row for {test}, which is not a test"
-                               f"{near(test, list(expected))}")
+        self.check_names(list(expected), {exercise.suite for exercise in expected.values()})
         for test, exercise in expected.items():
             if test not in self._rows:
                 default = default_weight(test, exercise)
