@@ -127,9 +127,10 @@ void check(const Table& table, Claims& claims) {
   claims.near("by Eq. (10.13) XPBD makes the wire 13/4 ± 0.1 times as stiff as substeps with d = 3",
               stiffer("wire"), 3.25, 0.1);
   claims.near("it makes the stack 13/4 ± 0.1 times as stiff, too", stiffer("stack"), 3.25, 0.1);
-  claims.near(
-      "with 32 updates relaxed substeps leave the stack an error 4.8 ± 0.2 times smaller than warm ones",
-      error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 4.8, 0.2);
+  // With warm ones the stack hops there, so that round-off changes their error by half.
+  claims.at_least(
+      "with 32 updates relaxed substeps leave the stack an error at least 3 times smaller than warm ones",
+      error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 3);
   claims.at_least("with 32 updates XPBD leaves the stack a smaller error than either",
                   error("stack", "relaxed substeps", 32) / error("stack", "XPBD", 32), 1);
   claims.at_least("with 64 updates the wire is lost by relaxed substeps, as by warm ones",
