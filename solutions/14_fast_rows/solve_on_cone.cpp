@@ -52,8 +52,6 @@ Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu) {
     if (next == alpha) break;
     alpha = next;
   }
-  // For an ill-conditioned S the last step may leave λ_t outside the cone by more than a few roundings.
-  if (along.norm() > mu * press) along *= mu * press / along.norm();
   return {press, along[0], along[1]};
 }
 
