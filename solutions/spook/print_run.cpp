@@ -125,10 +125,10 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (verbose) print_entry(out, "answer", scene.answer);
   print_entry(out, "run", steps_text(settings.method, result));
   print_entry(out, "end", state_text(result, verbose, settings.method.engine == Engine::plain));
-  if (settings.method.soft_steps && std::isnan(result.error) && !scene.error_unit.empty())
-    print_entry(out, "error", "none: the answer depends on k, which soft steps do not have");
-  else if (scene.error_unit.empty())
+  if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
+  else if (std::isnan(result.error))
+    print_entry(out, "error", "none in this run: " + scene.error_name);
   else
     print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
   print_entry(out, "state", verdict_text(result.verdict));

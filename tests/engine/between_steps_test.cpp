@@ -119,39 +119,6 @@ TEST(BetweenSteps, ANewJointHasNoImpulse) {
   EXPECT_EQ(world.joint_force(hinge), Vec3::Zero());
 }
 
-TEST(BetweenSteps, ResistanceHoldsWhateverIsAddedFirst) {
-  // A column of balls: contacts with the plane come first in a step, whatever the plane's number.
-  const auto rows = [](bool plane_first) {
-    World<6> world({.friction = 0.6});
-    if (plane_first) world.add_plane(Vec3::UnitZ(), 0);
-    const int lowest = world.add(ball(Vec3(0, 0, 0.1)));
-    for (const double z : {0.3, 0.5, 0.7}) world.add(ball(Vec3(0, 0, z)));
-    if (!plane_first) world.add_plane(Vec3::UnitZ(), 0);
-    world.set_material(lowest, {.rolling_resistance = 0.002});
-    for (int n = 0; n < 5; ++n) world.step(h);
-    EXPECT_EQ(world.contacts().size(), 4u);
-    return world.rows().size();
-  };
-  EXPECT_EQ(rows(true), 4u * 3 + 2 * 2) << "two rows resist at each of the lowest ball's contacts";
-  EXPECT_EQ(rows(false), rows(true));
-}
-
-TEST(BetweenSteps, EverySweepReachesAllRowsWithResistance) {
-  // Without an update the contact would not carry the ball.
-  for (const RowOrder order : {RowOrder::up, RowOrder::down}) {
-    World<6> world({.friction = 0.6, .solver = ordered_gauss_seidel<6>(order)});
-    world.add_plane(Vec3::UnitZ(), 0);
-    for (const double x : {0.0, 1.0}) {
-      Body<6> rolling = ball(Vec3(x, 0, 0.1));
-      rolling.v = Vec3(0, 1, 0);
-      rolling.omega = Vec3(-10, 0, 0);
-      world.set_material(world.add(rolling), {.rolling_resistance = 0.002});
-    }
-    while (world.time() < 1) world.step(h);
-    for (const int n : {1, 2}) EXPECT_NEAR(world.x(n).z(), 0.1, 1e-4) << "order " << static_cast<int>(order);
-  }
-}
-
 TEST(BetweenSteps, TheEnergyOfSpringsIsThatOfTheirOwnStiffness) {
   // m g presses a spring: (m g)²/2k, in each number of parts.
   World<6> world({.gravity = Vec3(0, 0, -g)});
@@ -233,47 +200,6 @@ TEST(BetweenSteps, MaterialsWithoutFrictionHaveOneRowAContact) {
   EXPECT_EQ(world.rows().size(), 1u);
 }
 
-TEST(BetweenSteps, ASuccessorGoesOnWithAnotherStep) {
-  // Velocities lag by half of the last step, which the successor must know.
-  World<6> first({});
-  const int n = first.add(ball(Vec3(0, 0, 100)));
-  first.start_half_step_back(h);
-  for (int step = 0; step < 30; ++step) first.step(h);
-  World<6> next({});
-  next.add(ball(Vec3(0, 0, 100)));
-  next.take_state_from(first);
-  for (int step = 0; step < 30; ++step) next.step(h / 3);
-  const double t = next.time();
-  EXPECT_NEAR(next.x(n).z(), 100 - g * t * t / 2, 1e-10);
-}
-
-TEST(BetweenSteps, ASpinIsShiftedToTheNewStepLikeASpeed) {
-  // τ = I α turns a ball by α t²/2, whatever the steps.
-  const double torque = 0.01;
-  World<6> world({.gravity = Vec3::Zero(), .wrench = [=](auto, const auto&, double) {
-                    Twist<6> wrench = Twist<6>::Zero();
-                    wrench[5] = torque;
-                    return wrench;
-                  }});
-  const int n = world.add(ball(Vec3::Zero()));
-  const double alpha = torque * world.bodies().orientations.inverse_inertia(0)(0, 0);
-  world.start_half_step_back(h / 4);
-  for (int step = 0; step < 60; ++step) world.step(step % 3 == 0 ? h / 4 : h / 10);
-  const double lag = world.velocity_lag(h / 10);
-  EXPECT_NEAR(angular_velocity(world, n).z(), alpha * (world.time() - lag), 1e-9 * alpha);
-}
-
-TEST(BetweenSteps, SoftStepsShiftWhatFallsBesideAContact) {
-  World<6> world({.soft_steps = SoftSteps{.substeps = 2}});
-  world.add_plane(Vec3::UnitZ(), 0);
-  world.add(ball(Vec3(0, 0, 0.1)));
-  const int falling = world.add(ball(Vec3(5, 0, 100)));
-  world.start_half_step_back(h);
-  for (int n = 0; n < 100; ++n) world.step(n % 2 == 0 ? h : h / 4);
-  const double t = world.time();
-  EXPECT_NEAR(world.x(falling).z(), 100 - g * t * t / 2, 1e-9);
-}
-
 TEST(BetweenSteps, SoftStepsFindWhatASpinWillClose) {
   // The corner of a cube that spins in free space moves at 8 m/s; nothing else moves, and it weighs nothing.
   World<6> world({.gravity = Vec3::Zero(), .soft_steps = SoftSteps{.substeps = 4}});
@@ -325,28 +251,6 @@ TEST(BetweenSteps, PointsOfADistanceThatMeetInALaterPartEndTheRun) {
             right = world.add({.x = Vec3(h / 2, 0, 0), .v = Vec3(-1, 0, 0), .mass = 1});
   world.add_joint({.i = left, .j = right, .length = h, .k = 1e-40});
   EXPECT_THROW(world.step(h), SimulationDiverged);
-}
-
-TEST(BetweenSteps, AStateIsRefusedOnAnotherSlope) {
-  const auto on = [](const Vec3& n) {
-    World<6> world({});
-    world.add_plane(n, 0);
-    world.add(ball(Vec3(0, 0, 1)));
-    return world;
-  };
-  World<6> level = on(Vec3::UnitZ()), slope = on(Vec3(0.6, 0, 0.8));
-  const std::string state = bytes_of_state(level);
-  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(state, slope); });
-  const auto hinged = [](const Quat& rest) {
-    World<6> world({});
-    world.add_fixed(Vec3::Zero());
-    world.add(ball(Vec3::Zero()));
-    world.add_joint({.i = 0, .j = 1, .kind = JointKind::hinge, .axis = Vec3::UnitZ(), .rest = rest});
-    return world;
-  };
-  World<6> straight = hinged(Quat::Identity()), bent = hinged(Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ())));
-  const std::string of_hinge = bytes_of_state(straight);
-  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(of_hinge, bent); });
 }
 
 }  // namespace

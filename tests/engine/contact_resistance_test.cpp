@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/solvers/registry.hpp"
 #include "engine/world/world.hpp"
 
 namespace spook {
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double g = 9.81, r = 0.1, rho = 0.002;
 
-Body<6> ball() {
-  return {.x = Vec3(0, 0, r), .mass = 1, .radius = r};
+Body<6> ball(const Vec3& x = Vec3(0, 0, r)) {
+  return {.x = x, .mass = 1, .radius = r};
 }
 
 World<6> plane(const Vec3& gravity = Vec3(0, 0, -g)) {
@@ -76,6 +77,39 @@ TEST(ContactResistance, WhatSpinsIsSlowedByTorsion) {
   while (world.time() < 0.5) world.step(h);
   EXPECT_NEAR(omega_of(world, n).z(), 5 - slowing * 0.5, 2 * slowing * h);
   EXPECT_LT(world.v(n).norm(), 1e-9);
+}
+
+TEST(ContactResistance, HoldsWhateverIsAddedFirst) {
+  // A column of balls: contacts with the plane come first in a step, whatever the plane's number.
+  const auto rows = [](bool plane_first) {
+    World<6> world({.friction = 0.6});
+    if (plane_first) world.add_plane(Vec3::UnitZ(), 0);
+    const int lowest = world.add(ball());
+    for (const double z : {0.3, 0.5, 0.7}) world.add(ball(Vec3(0, 0, z)));
+    if (!plane_first) world.add_plane(Vec3::UnitZ(), 0);
+    world.set_material(lowest, {.rolling_resistance = rho});
+    for (int n = 0; n < 5; ++n) world.step(1.0 / 60);
+    EXPECT_EQ(world.contacts().size(), 4u);
+    return world.rows().size();
+  };
+  EXPECT_EQ(rows(true), 4u * 3 + 2 * 2) << "two rows resist at each of the lowest ball's contacts";
+  EXPECT_EQ(rows(false), rows(true));
+}
+
+TEST(ContactResistance, LeavesNoRowOutOfASweep) {
+  // Without an update the contact would not carry the ball.
+  for (const RowOrder order : {RowOrder::up, RowOrder::down}) {
+    World<6> world({.friction = 0.6, .solver = ordered_gauss_seidel<6>(order)});
+    world.add_plane(Vec3::UnitZ(), 0);
+    for (const double x : {0.0, 1.0}) {
+      Body<6> rolling = ball(Vec3(x, 0, r));
+      rolling.v = Vec3(0, 1, 0);
+      rolling.omega = Vec3(-1 / r, 0, 0);
+      world.set_material(world.add(rolling), {.rolling_resistance = rho});
+    }
+    while (world.time() < 1) world.step(1.0 / 60);
+    for (const int n : {1, 2}) EXPECT_NEAR(world.x(n).z(), r, 1e-4) << "order " << static_cast<int>(order);
+  }
 }
 
 TEST(ContactResistance, CostsNothingWhereNoMaterialHasIt) {

@@ -148,5 +148,27 @@ TEST(State, IsRefusedInAnotherWorld) {
   expect_refusal({"stepper"}, [&] { bytes_of_state(stepped); });
 }
 
+TEST(State, IsRefusedOnAnotherSlope) {
+  const auto on = [](const Vec3& n) {
+    World<6> world({});
+    world.add_plane(n, 0);
+    world.add({.x = Vec3(0, 0, 1), .radius = 0.1});
+    return world;
+  };
+  World<6> level = on(Vec3::UnitZ()), slope = on(Vec3(0.6, 0, 0.8));
+  const std::string state = bytes_of_state(level);
+  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(state, slope); });
+  const auto hinged = [](const Quat& rest) {
+    World<6> world({});
+    world.add_fixed(Vec3::Zero());
+    world.add({.radius = 0.1});
+    world.add_joint({.i = 0, .j = 1, .kind = JointKind::hinge, .axis = Vec3::UnitZ(), .rest = rest});
+    return world;
+  };
+  World<6> straight = hinged(Quat::Identity()), bent = hinged(Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ())));
+  const std::string of_hinge = bytes_of_state(straight);
+  expect_refusal({"masses, shapes, joints and settings"}, [&] { read_state(of_hinge, bent); });
+}
+
 }  // namespace
 }  // namespace spook::state_test

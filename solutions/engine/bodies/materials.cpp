@@ -20,9 +20,7 @@ static void require_sound(const Material& material) {
 
 /// Counts a material once `more`, or once less if `more` is -1.
 void Materials::count(const Material& material, int more) {
-  if (material.friction || material.restitution || material.k || material.d || material.rolling_resistance ||
-      material.torsional_resistance)
-    set_ += more;
+  if (material != Material{}) set_ += more;
   if (material.friction.value_or(0) > 0) rub_ += more;
   if (material.restitution) bounce_ += more;
   if (material.rolling_resistance.value_or(0) > 0 || material.torsional_resistance.value_or(0) > 0)

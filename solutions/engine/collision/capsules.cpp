@@ -13,7 +13,7 @@ namespace {
 /// Bisections of the segment after which a position on it is accurate to round-off.
 constexpr int halvings = 52;
 /// Two positions closer than this, in half lengths, are one contact.
-constexpr double apart = 1e-3;
+constexpr double apart_along = 1e-3;
 /// Gaps with a smaller relative difference than this are equal.
 constexpr double roundings_of_gaps = 1e-9;
 /// Points closer than this fraction of the radii have no direction from one to the other.
@@ -56,11 +56,11 @@ void add_along(double lowest, const Range& along, const ContactAt& contact_at, s
   if (!deepest) return;
   const double deeper = deepest->gap + roundings_of_gaps * std::abs(deepest->gap);
   bool stands_for_it = false;
-  if (along.last - along.first > apart)
+  if (along.last - along.first > apart_along)
     for (const double t : {along.first, along.last})
       if (const std::optional<Contact> contact = contact_at(t)) {
         contacts.push_back(*contact);
-        stands_for_it |= std::abs(t - lowest) <= apart || contact->gap <= deeper;
+        stands_for_it |= std::abs(t - lowest) <= apart_along || contact->gap <= deeper;
       }
   if (!stands_for_it) contacts.push_back(*deepest);
 }

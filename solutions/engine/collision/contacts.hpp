@@ -1,7 +1,7 @@
 #pragma once
 // Contact search for planes, spheres, capsules, boxes and corners: chapter 08.
 //
-//   margin   to find slightly open contacts, each shape grows by half the margin, and each gap by the whole margin
+//   margin   slightly open contacts are found, too: engine/collision/placed_solids.hpp
 //   planes   with every solid and corner; corners touch planes only
 //   others   broad phase, then the contact set of each candidate pair:
 //              up to 32 of them    all pairs whose bounds touch                             Eq. (8.11)
@@ -10,35 +10,21 @@
 //            with enlarged bounds, valid until a body leaves its own: engine/collision/pair_cache.hpp
 //   excluded pairs are skipped before their shapes are compared: engine/collision/exclusions.hpp
 //   ghosts   contacts with the inner edges of flush boxes are removed: engine/collision/ghost_contacts.hpp
-#include <variant>
 #include <vector>
 
 #include "08_pairs/pairs.hpp"
 #include "engine/bodies/bodies.hpp"
-#include "engine/collision/capsules.hpp"
 #include "engine/collision/exclusions.hpp"
 #include "engine/collision/pair_cache.hpp"
+#include "engine/collision/placed_solids.hpp"
 
 namespace spook {
-
-/// One of several shapes, each with all members that engine/bodies/shape.hpp lists.
-template <HasInterior... Shapes>
-using SolidShape = std::variant<Shapes...>;
-
-/// A shape that touches planes and all other solids, centred on a body.
-struct Solid {
-  int body;
-  SolidShape<Sphere, Capsule, Cuboid> shape;
-  bool is_static;  ///< two static solids have no contact
-};
 
 /// Points of a rigid body that touch planes only, such as those of a disc.
 struct Corners {
   int body;
   std::vector<Vec3> points;  ///< from the body's centre, in its axes [m]
 };
-
-using PlacedSolid = std::variant<Ball, PlacedCapsule, Box>;
 
 struct Shapes {
   std::vector<Plane> planes;

@@ -8,11 +8,11 @@ namespace spook {
 
 namespace {
 
-constexpr double room = 0.1;             // on each side, relative to the widest of the bounds
+constexpr double larger_by = 0.1;        // on each side, relative to the widest of the bounds
 constexpr std::size_t few_bodies = 100;  // comparing these with all others costs no more than a broad phase
 
 Bounds enlarged_bounds(const Bounds& one) {
-  const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
+  const Vec3 more = Vec3::Constant(larger_by * (one.upper - one.lower).maxCoeff());
   return {.lower = one.lower - more, .upper = one.upper + more};
 }
 

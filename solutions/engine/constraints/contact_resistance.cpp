@@ -4,7 +4,7 @@
 
 namespace spook {
 
-static constexpr double softness = 1e-9;  // Σ, of the diagonal: two contacts of a pair have the same rows
+static constexpr double small_sigma = 1e-9;  // of the diagonal: two contacts of a pair have the same rows
 
 /// Adds the row of a motor that brakes the rotation about an axis, with a torque of at most `most` [N m].
 static void add_brake(const Contact& contact, const Vec3& axis, double most, double h, const Motion<6>& motion,
@@ -14,7 +14,7 @@ static void add_brake(const Contact& contact, const Vec3& axis, double most, dou
   angle.Gj.tail<3>() = axis;
   Row<6> row = motor_row(angle, {.speed = 0, .strength = most, .viscosity = infinity}, h, motion);
   if (row.diagonal == 0) return;  // neither body can turn
-  row.Sigma = softness * row.diagonal;
+  row.Sigma = small_sigma * row.diagonal;
   row.diagonal += row.Sigma;
   rows.push_back(row);
 }

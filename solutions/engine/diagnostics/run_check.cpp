@@ -35,7 +35,7 @@ static std::string text(double value) {
   return out.str();
 }
 
-static std::string pair_of(const Contact& contact) {
+static std::string bodies_text(const Contact& contact) {
   return "bodies " + std::to_string(contact.i) + " and " + std::to_string(contact.j);
 }
 
@@ -226,12 +226,12 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     const double lambda = world.lambda(c);
     if (soft) {
       if (lambda > 0 && is_first_sag(-contact.gap, size))
-        note_sag("the contact of " + pair_of(contact), -contact.gap, size, "more substeps");
+        note_sag("the contact of " + bodies_text(contact), -contact.gap, size, "more substeps");
     } else if (-contact.gap > share_of_size * size) {
       const double k = world.materials().of(contact.i, contact.j).k;
       const double sag = std::min(lambda / (h * k), -contact.gap);
       if (is_first_sag(sag, size))
-        note_sag("the contact of " + pair_of(contact), sag, size, "a larger k than " + text(k) + " N/m");
+        note_sag("the contact of " + bodies_text(contact), sag, size, "a larger k than " + text(k) + " N/m");
     }
     if (-contact.gap <= std::max(1.0, deepest) * size) continue;
     const PairMaterial touching = world.materials().of(contact.i, contact.j);
@@ -243,7 +243,7 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   }
   const Overlap overlap = largest_overlap(world);
   if (overlap.share > std::max(found_late, overlap_))
-    note(Note::late, pair_of(*overlap.contact) + " overlap by " + text(-overlap.contact->gap) +
+    note(Note::late, bodies_text(*overlap.contact) + " overlap by " + text(-overlap.contact->gap) +
                          " m when their contact is found, more than the thickness of one: a shorter step would "
                          "find it earlier");
   overlap_ = overlap.share;
@@ -252,7 +252,7 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   deepest_ = deepest;
   if (deep_steps_ >= most_deep_steps)
     return find(State::lost, world,
-                pair_of(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
+                bodies_text(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
   look_at_joints(world, h);
   // A load keeps its sag; an overlap that recovers does not.
   sagging_steps_ = sag_.empty() || sagged_ < share_kept * sagged_before ? 0 : sagging_steps_ + 1;

@@ -22,6 +22,11 @@ std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
   return radii;
 }
 
+/// Tells whether the point keeps its place on body j: if j is a sphere or i a plane, which has no place of its own.
+static bool stays_on_j(const Contact& contact, const std::vector<double>& radii) {
+  return radii[contact.j] > 0 || radii[contact.i] < 0;
+}
+
 template <int Dof>
 double lateness(const Contact& contact, double u_n, double h, double longest, const Motion<Dof>& motion) {
   const double a =
@@ -41,7 +46,7 @@ Contact contact_before(Contact contact, double late, const std::vector<double>& 
     if (!apart.isZero(0)) contact.n = apart.normalized();
     contact.r_i = radius_i / (radius_i + radius_j) * apart;
     contact.r_j = contact.r_i - apart;
-  } else if (radius_j > 0 || radius_i < 0) {
+  } else if (stays_on_j(contact, radii)) {
     contact.r_i += back_j - back_i;
   } else if (radius_i > 0) {
     contact.r_j += back_i - back_j;
@@ -55,7 +60,7 @@ Contact contact_before(Contact contact, double late, const std::vector<double>& 
 Contact moved_on(Contact contact, const Displacements& moved, const std::vector<double>& radii) {
   contact.gap += contact.n.dot(moved.at(contact.j, contact.r_j) - moved.at(contact.i, contact.r_i));
   const Vec3 apart = moved.by[contact.j] - moved.by[contact.i];
-  if (radii[contact.j] > 0 || radii[contact.i] < 0)
+  if (stays_on_j(contact, radii))
     contact.r_i += apart;
   else
     contact.r_j -= apart;

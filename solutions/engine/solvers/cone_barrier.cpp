@@ -42,7 +42,7 @@ static double room_in(double L, const Vec2& friction) {
 
 template <int Dof>
 double ConeBarrier<Dof>::room(std::size_t b) const {
-  return room_in(limit(b), friction(block(b)));
+  return room_in(limit(b), problem_.friction(block(b)));
 }
 
 template <int Dof>
@@ -76,7 +76,7 @@ void ConeBarrier<Dof>::start_near(double w) {
     }
     last_.push_back(now);
     if (of.count < 3) continue;
-    Vec2 along = friction(of);
+    Vec2 along = problem_.friction(of);
     if (rubs(of)) {
       const Vec2 lacks(problem_.row_residual(of.row + 1), problem_.row_residual(of.row + 2));
       const double L = of.mu * now, slack = of.mu * before - along.norm();
@@ -128,7 +128,7 @@ std::vector<double> ConeBarrier<Dof>::answer() const {
     if (has_lo(of) && push_[b].lo > row.diagonal * room_lo(of)) along_normal = row.lo;
     if (has_hi(of) && push_[b].hi > row.diagonal * room_hi(of)) along_normal = row.hi;
     if (!rubs(of)) continue;
-    const Vec2 along = friction(of);
+    const Vec2 along = problem_.friction(of);
     const double size = along.norm(), to_edge = limit(b) - size;
     if (!(push_[b].slip * direction(b).norm() > of.s * to_edge)) continue;
     lambda[of.row + 1] = along[0] * of.mu * along_normal / size;

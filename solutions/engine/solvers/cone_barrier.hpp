@@ -38,11 +38,10 @@ class ConeBarrier {
   double room_lo(const ContactBlock& of) const { return normal(of).lambda - normal(of).lo; }
   double room_hi(const ContactBlock& of) const { return normal(of).hi - normal(of).lambda; }
 
-  Vec2 friction(const ContactBlock& of) const { return problem_.friction(of); }
-  double limit(std::size_t b) const;                                             ///< L [N s]
-  double limit_rate(std::size_t b) const { return theta_[b] * block(b).mu; }     ///< derivative of L by λ_n
-  Vec2 direction(std::size_t b) const { return friction(block(b)) / limit(b); }  ///< e
-  double room(std::size_t b) const;                                              ///< R [N s]
+  double limit(std::size_t b) const;                                          ///< L [N s]
+  double limit_rate(std::size_t b) const { return theta_[b] * block(b).mu; }  ///< derivative of L by λ_n
+  Vec2 direction(std::size_t b) const { return problem_.friction(block(b)) / limit(b); }  ///< e
+  double room(std::size_t b) const;                                                       ///< R [N s]
 
   /// Tells whether the limit of any block has a part that does not follow λ_n.
   bool is_lagged() const;

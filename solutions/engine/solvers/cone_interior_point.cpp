@@ -12,7 +12,7 @@ namespace spook {
 namespace {
 
 /// Targets of the products of slack and multiplier [J], and the second-order term of the slip [m/s].
-struct Target {
+struct ConeTarget {
   double lo = 0, hi = 0, slip = 0;
   Vec2 turn = Vec2::Zero();
 };
@@ -96,7 +96,7 @@ class InteriorPoint {
   double step(double left) {
     constexpr double share_of_residual = 0.003;
     factorise();
-    std::vector<Target> target(barrier_.size());
+    std::vector<ConeTarget> target(barrier_.size());
     if (!solve(target)) return -1;
     const double far = longest_step(), before = mean_product(0), after = mean_product(far);
     double centre = before > 0 ? std::pow(std::max(0.0, after / before), 3) * before : 0;
@@ -133,7 +133,7 @@ class InteriorPoint {
   }
 
   /// Computes Newton's step towards the target: for λ, then for the multipliers.
-  bool solve(const std::vector<Target>& target) {
+  bool solve(const std::vector<ConeTarget>& target) {
     for (std::size_t b = 0; b < barrier_.size(); ++b) {
       ContactBlock& of = problem_.blocks()[b];
       Vec3 right(problem_.row_residual(of.row), 0, 0);
@@ -167,9 +167,9 @@ class InteriorPoint {
   }
 
   /// Sets the target of the products to `centre`, minus the second-order change by the predictor: Eq. (11.11).
-  Target second_order(std::size_t b, double centre) const {
+  ConeTarget second_order(std::size_t b, double centre) const {
     const double along = normal_step(b);
-    Target target{.lo = centre - along * change_[b].lo, .hi = centre + along * change_[b].hi};
+    ConeTarget target{.lo = centre - along * change_[b].lo, .hi = centre + along * change_[b].hi};
     if (!barrier_.rubs(barrier_.block(b))) return target;
     const double L = barrier_.limit(b), of_L = barrier_.limit_rate(b) * along, slip = barrier_.push(b).slip;
     const Vec2 e = barrier_.direction(b), of_e = (friction_step(b) - of_L * e) / L;

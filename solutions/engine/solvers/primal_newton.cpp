@@ -12,7 +12,7 @@ namespace {
 
 /// Impulses of rows, and the velocities that they cause.
 template <int Dof>
-struct State {
+struct Iterate {
   Vector lambda;
   std::vector<Twist<Dof>> V;
 
@@ -39,7 +39,7 @@ struct ActiveSet {
 };
 
 template <int Dof>
-ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
+ActiveSet active_set(const std::vector<Row<Dof>>& rows, const Iterate<Dof>& now) {
   ActiveSet found{Vector::Zero(std::ssize(rows)), now.lambda};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row<Dof>& row = rows[k];
@@ -58,7 +58,7 @@ ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
 /// `enough` [m/s].
 template <int Dof>
 void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
-                const Vector& stiffness, const VelocityFactors& factors, double enough, State<Dof>& state) {
+                const Vector& stiffness, const VelocityFactors& factors, double enough, Iterate<Dof>& state) {
   constexpr int refinements = 8;
   Vector residuals = Vector::Zero(stiffness.size());
   double last = infinity;
@@ -83,9 +83,9 @@ void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& ve
 /// Returns the state at the fraction `share` between two states, clamped to the bounds. Updates V of the first state,
 /// since V of the second contains the round-off of larger impulses.
 template <int Dof>
-State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, const State<Dof>& to,
-                     double share) {
-  State<Dof> state = from;
+Iterate<Dof> projected(const std::vector<Row<Dof>>& rows, const Iterate<Dof>& from, const Iterate<Dof>& to,
+                       double share) {
+  Iterate<Dof> state = from;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double lambda = from.lambda[k] + share * (to.lambda[k] - from.lambda[k]);
     state.move(rows[k], k, std::clamp(lambda, rows[k].lo, rows[k].hi));
@@ -96,14 +96,15 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// Moves towards the solution of the free rows as long as the energy falls, or rises by no more than round-off. A start
 /// from the last step may have no more energy to lose.
 template <int Dof>
-State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
-                const ActiveSet& active, const VelocityFactors& factors, double enough, const State<Dof>& now) {
-  State<Dof> there = now;
+Iterate<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& velocity_system,
+                  const ActiveSet& active, const VelocityFactors& factors, double enough,
+                  const Iterate<Dof>& now) {
+  Iterate<Dof> there = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (active.stiffness[k] == 0) there.move(rows[k], k, active.held_at[k]);
   solve_free(rows, velocity_system, active.stiffness, factors, enough, there);
   double share = 1;
-  State<Dof> inside = projected(rows, now, there, share);
+  Iterate<Dof> inside = projected(rows, now, there, share);
   // If no row moved to a bound or was clamped, the free rows have the least energy.
   if (active.held_at == now.lambda && inside.lambda == there.lambda) return inside;
   constexpr double rounding = 1e-14;  // of a sum whose terms mostly have one sign
@@ -131,10 +132,10 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& veloc
   const auto enough = [&] { return std::max(stop.tolerance, settled * roundings(rows)); };
   double best = infinity;
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
-    const State<Dof> now{impulses_of(rows), V};
+    const Iterate<Dof> now{impulses_of(rows), V};
     const ActiveSet free = active_set(rows, now);
     if (!factors.factorise(velocity_system.matrix(rows, free.stiffness))) return report;
-    State<Dof> next = step(rows, velocity_system, free, factors, enough(), now);
+    Iterate<Dof> next = step(rows, velocity_system, free, factors, enough(), now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
     V = std::move(next.V);
     report.history.push_back(residual(rows, V));
@@ -158,7 +159,7 @@ std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
   if (!soft) return std::nullopt;
   auto& [velocity_system, factors] = kept;
   velocity_system.begin(rows, inverse_mass);
-  const State<Dof> before{impulses_of(rows), V};
+  const Iterate<Dof> before{impulses_of(rows), V};
   SolveReport report = newton_solve(rows, velocity_system, V, stop, factors);
   if (!report.converged) {
     const SolveReport from_within = primal_interior_point(rows, velocity_system, V, stop, factors);
