@@ -177,9 +177,16 @@ RunResult result_of(const SceneDescription& scene, const Parameters& set, const 
   }
 }
 
+/// Computes the row of one run. Throws std::invalid_argument if its scene has no answer for such a run.
 std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, const Parameters& set,
                           const RunSettings& settings) {
   const RunResult result = result_of(scene, set, settings);
+  if (std::isnan(result.error) && result.verdict.state != State::lost) {
+    std::string values;
+    for (const std::string& value : asked.values) values += " " + value;
+    throw std::invalid_argument(scene.name + " has no error with" + values +
+                                ": choose another scene, or use ./course run " + scene.name + " --sweep");
+  }
   const std::string method = settings.method.soft_steps              ? "soft steps"
                              : settings.method.integrator_order == 4 ? "order four"
                                                                      : settings.method.solver;

@@ -107,7 +107,7 @@ class CoursePlot(unittest.TestCase):
         self.assertNotEqual((folder / "parts/plan.txt").read_text(), plan)
 
     def test_its_axes_are_the_options_of_run(self):
-        options = ["work_precision", "--quick", "--", "--time", "0.1"]
+        options = ["work_precision", "--quick", "--", "--scene", "sliding_block", "--time", "0.1"]
         for axes, lines in ((["--accuracy", "1e-3,1e-6", "--h", "1/60"], {"accuracy 1e-3", "accuracy 1e-6"}),
                             (["--soft-steps", "1,4", "--h", "1/60"], {"soft-steps 1", "soft-steps 4"}),
                             (["--accuracy", "1e-6", "--h", "1/60"], {"auto"}),
@@ -115,6 +115,11 @@ class CoursePlot(unittest.TestCase):
             self.plot(*options, *axes)
             with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
                 self.assertEqual({row["line"] for row in csv.DictReader(table)}, lines)
+
+    def test_it_refuses_a_scene_without_an_answer_for_such_runs(self):
+        refused = self.box.course("plot", "work_precision", "--quick", "--", "--soft-steps", "1,4", "--h", "1/60")
+        self.assertEqual(refused.returncode, 2, refused.stdout + refused.stderr)
+        self.assertIn("stack has no error with soft-steps=1 h=1/60", refused.stderr.splitlines()[-1])
 
     def test_steps_of_order_four_have_no_solver_and_a_run_that_diverges_is_lost(self):
         out = self.box.root / "own"
