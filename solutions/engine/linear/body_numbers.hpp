@@ -12,6 +12,17 @@ bool is_dynamic(const InverseMass<Dof>& inverse_mass) {
   return inverse_mass.linear > 0;
 }
 
+/// Tells whether body i, or j, of a row is dynamic: whether the row's impulse changes its velocity. Needs no masses,
+/// unlike is_dynamic.
+template <int Dof>
+bool moves_i(const Row<Dof>& row) {
+  return !row.MinvGi.isZero(0);
+}
+template <int Dof>
+bool moves_j(const Row<Dof>& row) {
+  return !row.MinvGj.isZero(0);
+}
+
 class BodyNumbers {
  public:
   /// Starts anew, for a world of so many bodies.

@@ -1,8 +1,8 @@
 #pragma once
 // Factors of the matrix of Eq. (11.15), whose unknowns are velocities of bodies: dense factors for small systems, else
-// those of chapter 11.
-#include "11_direct/direct.hpp"
+// sparse ones.
 #include "engine/linear/dense_ldlt.hpp"
+#include "engine/linear/frontal_cholesky.hpp"
 
 namespace spook {
 
@@ -13,7 +13,7 @@ class VelocityFactors {
   /// if a pivot fails Eq. (11.4).
   bool factorise(const SparseMatrix& A) {
     is_small_ = A.cols() <= DenseLdlt::most;
-    if (!is_small_) return spook::factorise(A, sparse_);
+    if (!is_small_) return sparse_.factorise(A);
     small_.begin(static_cast<int>(A.cols()));
     for (int column = 0; column < A.outerSize(); ++column)
       for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
@@ -22,18 +22,18 @@ class VelocityFactors {
   }
 
   Vector solve(Vector right) const {
-    if (!is_small_) return sparse_.ldlt.solve(right);
+    if (!is_small_) return sparse_.solve(right);
     small_.solve(right.data());
     return right;
   }
 
   /// Returns the number of symbolic analyses so far. Small systems add none.
-  int analyses() const { return sparse_.analyses; }
+  int analyses() const { return sparse_.analyses(); }
 
  private:
   bool is_small_ = true;
   DenseLdlt small_;
-  Factors sparse_;
+  FrontalCholesky sparse_;
 };
 
 }  // namespace spook

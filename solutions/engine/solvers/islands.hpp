@@ -4,20 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "engine/linear/body_numbers.hpp"
 
 namespace spook {
-
-/// Tells whether body i, or j, of a row is dynamic: whether the row's impulse changes its velocity. Needs no masses,
-/// unlike is_dynamic of engine/linear/body_numbers.hpp.
-template <int Dof>
-bool moves_i(const Row<Dof>& row) {
-  return !row.MinvGi.isZero(0);
-}
-template <int Dof>
-bool moves_j(const Row<Dof>& row) {
-  return !row.MinvGj.isZero(0);
-}
 
 /// Tells whether the row has a bound.
 template <int Dof>
