@@ -17,7 +17,8 @@
 //   longest step       the largest part of it, up to 1, that keeps s >= 0 and z >= 0    Eq. (11.10)  not in the notes
 //   target             trial step: τ = 0; real step: τ = (μ'/μ)³ μ - Δs Δz of the trial step;
 //                      it is taken to (0.9 + 0.0999 α) α₂                               Eq. (11.11)  not in the notes
-//   start              s z = E for every bound, s = min(√(E/S_kk), (hi - lo)/2)         Eq. (11.12)  not in the notes
+//   start              s z = E for every bound; λ nearest to 0 with rooms of at least
+//                      min(√(E/S_kk), (hi - lo)/2)                                      Eq. (11.12)  not in the notes
 //   round-off          1e-13 max |B| + 1e-14 max S_kk |λ_k|, the least residual         Eq. (11.13)  not in the notes
 //   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.14)  not in the notes
 //
@@ -93,8 +94,8 @@ Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now
 double longest_step(const Interior& now, const Interior& step);
 
 /// Exercise 11.8. The starting point: Eq. (11.12). λ₀ is the value nearest to 0 within the bounds, and λ_g the value
-/// nearest to `guess`. The guess gives the size of the impulses, not their values. The room is that to `lo`, or to `hi`
-/// if there is no `lo`. Without bounds λ = 0. If E is 0, no size is known: then E is 1 J.
+/// nearest to `guess`. The guess gives the size of the impulses, not their values. If E is 0, no size is known: then E
+/// is 1 J.
 Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                         const Vector& guess);
 

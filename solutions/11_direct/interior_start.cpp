@@ -21,7 +21,7 @@ Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo
     each->resize(n);
   for (Eigen::Index k = 0; k < n; ++k) {  // Eq. (11.12)
     const double room = std::min(std::sqrt(energy / S_kk[k]), (hi[k] - lo[k]) / 2);
-    start.lambda[k] = std::isfinite(lo[k]) ? lo[k] + room : std::isfinite(hi[k]) ? hi[k] - room : 0;
+    start.lambda[k] = std::max(lo[k] + room, std::min(0.0, hi[k] - room));
     start.room_lo[k] = start.lambda[k] - lo[k];
     start.room_hi[k] = hi[k] - start.lambda[k];
     start.push_lo[k] = energy / start.room_lo[k];

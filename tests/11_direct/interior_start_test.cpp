@@ -79,23 +79,26 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
     if (below) expect_energy("below", start.room_lo[k], start.push_lo[k]);
     if (above) expect_energy("above", start.room_hi[k], start.push_hi[k]);
 
-    const double free = std::sqrt(e.all / p.S(k, k)), half = (p.hi[k] - p.lo[k]) / 2;
-    const double room = std::min(free, half), got = below ? start.room_lo[k] : start.room_hi[k];
-    if (below || above)
-      expect_near(
-          "s" + what + ", over min(√(E/S), (hi - lo)/2)", "Eq. (11.12)", got / room, 1, close,
-          {{free / room, "That is more than half of the way to the other bound."},
-           {half / room, "The whole room may be far too much: √(E/S) depends on the row."}},
-          "The distance to the lower bound is √(E/S), or to the upper where there is no lower one. Take half "
-          "the way between two bounds if that is less. The guess tells a size, and not where to begin.");
-    const double lambda = below ? p.lo[k] + room : above ? p.hi[k] - room : 0;
+    const double half = (p.hi[k] - p.lo[k]) / 2, room = std::min(std::sqrt(e.all / p.S(k, k)), half);
+    const auto nearest = [&](double from, double space) {
+      return std::max(p.lo[k] + space, std::min(from, p.hi[k] - space));
+    };
+    const double lambda = nearest(0, room);
+    const std::string beside = "This is beside a bound, which may be far away. λ begins near 0.";
     expect_near(
-        "λ" + what + " [N s]", "Eq. (11.5)", start.lambda[k], lambda,
-        {1e-12 * (1 + std::abs(lambda)), "a rounding of a bound and a room"}, {},
-        below || above ? "s⁻ = λ - lo, s⁺ = hi - λ." : "Without bounds it begins at 0, whatever the guess.");
-    if (below && above)
-      expect_near("s⁻ + s⁺" + what + " [N s]", "Eq. (11.5)", start.room_lo[k] + start.room_hi[k], 2 * half,
-                  {1e-12 * (1 + 2 * half), "round-off of the bounds"}, {}, "Together they are hi - lo.");
+        "λ" + what + " [N s]", "Eq. (11.12)", start.lambda[k], lambda,
+        {1e-12 * (1 + std::abs(lambda)), "a rounding of a bound and a room"},
+        {{nearest(guess[k], room), "λ begins near 0, whatever the guess, which tells a size."},
+         {p.lo[k] + room, beside},
+         {p.hi[k] - room, beside},
+         {nearest(0, half), "Half the way between the bounds may be far too much: √(E/S) depends on the row."}},
+        "λ begins at 0, or as near as leaves a room of min(√(E/S), (hi - lo)/2) to both bounds.");
+    const auto expect_room = [&](const std::string& name, double got, double right) {
+      expect_near(name + what + " [N s]", "Eq. (11.5)", got, right,
+                  {1e-12 * (1 + right), "round-off of a bound and of λ"}, {}, "s⁻ = λ - lo, s⁺ = hi - λ.");
+    };
+    if (below) expect_room("s⁻", start.room_lo[k], lambda - p.lo[k]);
+    if (above) expect_room("s⁺", start.room_hi[k], p.hi[k] - lambda);
     const std::string clue = "Where there is no bound its room is infinite, and its push 0.";
     if (!below)
       expect_true("no bound below" + what, "Eq. (11.5)", start.room_lo[k] == infinity && start.push_lo[k] == 0,
@@ -184,6 +187,16 @@ EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
                 start.room_lo[0] / half, 1, {1e-15 / half, "round-off of a bound of 1, over the room"});
     expect_near("s⁺ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
                 start.room_hi[0] / half, 1, {1e-15 / half, "round-off of a bound of 1, over the room"});
+  }
+}
+
+EXERCISE_TEST(InteriorStart, IsNearZeroHoweverFarTheBounds) {
+  for (const double far : {2.0, 1e3, 1e9, 1e17}) {
+    expect_start(one_row(3, -far, far), VectorXd::Zero(1));
+    expect_start(one_row(3, -far, infinity), VectorXd::Zero(1));
+    expect_start(one_row(3, -infinity, far), VectorXd::Zero(1));
+    expect_start(one_row(3, -far, 0.25), VectorXd::Zero(1));
+    expect_start(one_row(3, -0.25, far), VectorXd::Zero(1));
   }
 }
 

@@ -319,7 +319,7 @@ EXERCISE_TEST(InteriorStart, HasEqualProductsInside) {
     for (int k = 0; k < many; ++k) {
       const double room = std::min(std::sqrt(energy / at.S.coeff(k, k)), (at.hi[k] - at.lo[k]) / 2);
       const bool below = std::isfinite(at.lo[k]), above = std::isfinite(at.hi[k]);
-      const double lambda = below ? at.lo[k] + room : above ? at.hi[k] - room : 0;
+      const double lambda = std::max(at.lo[k] + room, std::min(0.0, at.hi[k] - room));
       expect_near("λ of row " + std::to_string(k) + " [N s]", "Eq. (11.12)", start.lambda[k], lambda,
                   roundings(64, 5));
       for (const auto& [room_of, push_of, is_there] : {std::tuple(start.room_lo[k], start.push_lo[k], below),
