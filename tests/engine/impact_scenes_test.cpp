@@ -252,7 +252,6 @@ TEST(PileScene, RestsThoughABallIsPushedFromOneOverlapIntoAnother) {
   EXPECT_LE(fastest("20", "2", 1.0 / 60, 6), 0.05);
 }
 
-// The force of an earlier contact says nothing about a new one. 1000 N would allow 3.2 m/s without an impact.
 // A box and a capsule that fall on a frictionless floor: what they get must not depend on a sideways velocity, nor on how
 // late the step finds the impact. u = -3 m/s, J = (1 + e) |u| / (1/m + (r x n)²/I), Eq. (7.2).
 TEST(Impacts, OfLateCornersDoNotDependOnASidewaysVelocity) {
@@ -289,6 +288,28 @@ TEST(Impacts, OfLateCornersDoNotDependOnASidewaysVelocity) {
       }
 }
 
+TEST(Impacts, AreOfBodiesThatApproach) {
+  // An impact needs 0.16 m/s, which gravity adds in a step. Two steps ago, the longest delay, a corner with less than
+  // twice as much went up.
+  int impacts = 0;
+  for (const double speed : {0.1, 0.2, 0.25, 0.3, 0.5, 2.0})
+    for (const double depth : {1e-4, 1e-3, 1e-2, 0.1})
+      for (const double spin : {0.0, 0.3, -1.0}) {
+        World<6> world({.impacts = ImpactLaw{.restitution = 0.5}});
+        world.add_plane(Vec3::UnitZ(), 0);
+        world.add({.x = Vec3(0, 0, 0.5 - depth),
+                   .v = Vec3(0, 0, -speed),
+                   .omega = Vec3(0, spin, 0),
+                   .half_sides = Vec3::Constant(0.5)});
+        world.step(1.0 / 60);
+        for (const Impact& impact : world.impacts())
+          EXPECT_GT(impact.speed, 0) << speed << ' ' << depth << ' ' << spin;
+        impacts += static_cast<int>(world.impacts().size());
+      }
+  EXPECT_GT(impacts, 20);
+}
+
+// The force of an earlier contact says nothing about a new one. 1000 N would allow 3.2 m/s without an impact.
 TEST(Impacts, ForgetTheForceOfAContactThatHasEnded) {
   double pressed = 1000;
   World<3> world({.force = [&](std::size_t body,
