@@ -119,7 +119,8 @@ EXERCISE_TEST(LongestStep, IsTheSameInAnyUnits) {
   Interior step = random_inside(random, 8).now;
   for (const Part& part : parts)
     for (double& change : step.*part.vector) change = std::isfinite(change) ? random.uniform(-2, 2) : 0;
-  expect_same_in_any_units("Eq. (11.10)", longest_step, units::pure, now, step);
+  // A NaN among the rooms and pushes stays in the step that is taken, whatever its length.
+  expect_same_in_any_units_nans_aside("Eq. (11.10)", longest_step, units::pure, now, step);
 }
 
 EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {

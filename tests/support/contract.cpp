@@ -183,7 +183,11 @@ bool nans_are_kept(const std::string& equation, const std::function<Outcome(Repl
     const Outcome lost = call(not_a_number);
     const bool is_one =
         std::any_of(lost.numbers.begin(), lost.numbers.end(), [](double x) { return std::isnan(x); });
-    const bool is_no = lost.counts != first.counts || lost.numbers.size() != first.numbers.size();
+    // The change may have made a yes of a no, and a NaN gives the no that was there before.
+    const auto is_other = [&](const Outcome& than) {
+      return lost.counts != than.counts || lost.numbers.size() != than.numbers.size();
+    };
+    const bool is_no = is_other(first) || is_other(other);
     if (is_one || is_no || !lost.thrown.empty()) continue;
     Replacing again(which, nan);
     call(every);
