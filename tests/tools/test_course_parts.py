@@ -27,6 +27,7 @@ import last_verdicts
 import mine
 import mutants
 import needs
+import process
 import speed_error
 import terminal
 import text_encoding
@@ -242,12 +243,33 @@ class Next(unittest.TestCase):
                              (("done", "done", "done"), None)):
             self.assertEqual(board.first_left(list(zip(self.three, states))), told)
 
+    def found(self, exercise: board.Exercise, state: str) -> board.Verdict:
+        return board.Verdict(exercise, state, source=exercise.source())
+
+    def test_a_text_that_is_saved_during_its_test_is_not_judged_by_it(self):
+        first, second, _ = self.three
+
+        def save(exercises):
+            self.texts |= dict.fromkeys(exercises, "wrong")
+            return verdict.Built(True, "")
+
+        for judge in (lambda exercise: [verdict.judge(exercise)], lambda exercise: verdict.judge_all([exercise])):
+            self.texts = dict.fromkeys((first, second), "right")
+            with mock.patch.object(verdict, "_build", save), \
+                 mock.patch.object(verdict, "without_building", return_value=None), \
+                 mock.patch.object(verdict.CHECK, "failed", return_value=False), \
+                 mock.patch.object(verdict, "_judge_built", lambda exercise, *_: board.Verdict(exercise, "done")):
+                last_verdicts.remember(judge(first))
+            self.assertEqual(last_verdicts.last_state(first), "begun")
+            self.texts[first] = "right"
+            self.assertEqual(last_verdicts.last_state(first), "done")
+
     def test_what_a_check_found_is_remembered_for_this_text(self):
         first, second, third = self.three
         self.assertEqual(board.next_of_all(), (first, "not started"))
         self.texts = {first: "right", third: "no"}
         self.assertEqual(board.next_of_all(), (first, "begun"))
-        last_verdicts.remember([(first, "done"), (third, "wrong"), (second, "not started")])
+        last_verdicts.remember([self.found(first, "done"), self.found(third, "wrong"), self.found(second, "not started")])
         self.assertEqual(board.next_of_all(), (third, "wrong"))
         self.texts[third] = "another"
         self.assertEqual(board.next_of_all(), (second, "not started"))
@@ -261,10 +283,10 @@ class Next(unittest.TestCase):
 
         def judge_all(exercises, seed):
             judged.extend(exercises)
-            return [check.Verdict(exercise, "done") for exercise in exercises]
+            return [self.found(exercise, "done") for exercise in exercises]
 
         def said(which: str | None) -> str:
-            with mock.patch.object(check, "judge", lambda exercise, seed: check.Verdict(exercise, "done")), \
+            with mock.patch.object(check, "judge", lambda exercise, seed: self.found(exercise, "done")), \
                  mock.patch.object(check, "judge_all", judge_all), \
                  contextlib.redirect_stdout(io.StringIO()) as text:
                 self.assertEqual(check.check_which(which, None), 0)
@@ -277,7 +299,7 @@ class Next(unittest.TestCase):
             self.assertIn("See it move, on your functions:", said(which))
         self.assertEqual(judged, [third])  # no check had seen it; then it is known
         self.assertIn("See it move, on your functions:", said(None))
-        last_verdicts.remember([(first, "wrong")])
+        last_verdicts.remember([self.found(first, "wrong")])
         told = said(second.id)
         self.assertNotIn("See it move", told)
         self.assertIn(f"Next: {first.label}, which is wrong", told)
@@ -466,11 +488,54 @@ class BusyTree(unittest.TestCase):
             self.assertEqual(said.getvalue().count("waiting"), 1)
 
 
+class FailedTree(unittest.TestCase):
+    def test_a_cmake_that_failed_runs_again(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(tree._LINKS, clear=True):
+            failing = tree.Tree("check")
+            failing.path = Path(folder)
+            (failing.path / "build.ninja").touch()  # of an earlier run, which succeeded
+            (failing.path / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={sandbox.ROOT}\n"
+                                                         f"Python3_EXECUTABLE:STRING={sys.executable}\n")
+            for settings, fails, runs in (([], False, 1), ([], False, 0), (["-DNEW=ON"], True, 1), ([], True, 1),
+                                          ([], False, 1), ([], False, 0)):
+                with mock.patch.object(tree, "stream", return_value=(int(fails), "no compiler")) as cmake, \
+                     self.assertRaises(CourseError) if fails else contextlib.nullcontext():
+                    failing.configure(*settings)
+                self.assertEqual(cmake.call_count, runs)
+
+
+class Ended(unittest.TestCase):
+    def test_a_tool_ends_with_the_command(self):
+        """A command that is told to end, by SIGTERM, ends what it has begun."""
+        with tempfile.TemporaryDirectory() as folder:
+            tool = f"echo $$ > {folder}/pid; echo begun; exec sleep 60"
+            with self.assertRaises(SystemExit):
+                process.stream(["sh", "-c", tool], lambda line: sys.exit(143))
+            with self.assertRaises(ProcessLookupError):
+                os.kill(int(Path(folder, "pid").read_text()), 0)
+
+    def test_sigterm_ends_both(self):
+        course = sandbox.ROOT / "tools" / "course"
+        with tempfile.TemporaryDirectory() as folder:
+            code = f"""import board, process, runpy, sys
+tool = ["sh", "-c", "echo $$ > {folder}/pid; echo begun; exec sleep 60"]
+board.progress = lambda arguments: process.stream(tool, lambda line: print(line, end="", flush=True))
+sys.argv = ["course", "progress"]
+runpy.run_path("{course / '__main__.py'}", run_name="__main__")"""
+            with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                                  env=os.environ | {"PYTHONPATH": str(course)}) as command:
+                self.assertEqual(command.stdout.readline(), "begun\n")
+                command.terminate()
+                self.assertEqual(command.wait(10), 143)
+            with self.assertRaises(ProcessLookupError):
+                os.kill(int(Path(folder, "pid").read_text()), 0)
+
+
 class MovedTree(unittest.TestCase):
     def said(self, home: str) -> str:
         """Returns the output while a tree is configured that CMake once configured for this folder."""
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said, \
-             mock.patch.object(tree, "stream", return_value=(0, "")):
+             mock.patch.object(tree, "stream", return_value=(0, "")), mock.patch.dict(tree._LINKS, clear=True):
             moved = tree.Tree("check")
             moved.path = Path(folder)
             (moved.path / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")

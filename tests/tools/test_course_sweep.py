@@ -434,6 +434,34 @@ class Strict(unittest.TestCase):
             self.assertEqual(runs.exit_code(results, words), code)
 
 
+class Interrupted(unittest.TestCase):
+    def test_what_ended_before_is_kept(self):
+        for cause in (KeyboardInterrupt, SystemExit):
+            def start(asked, call):
+                if "--time" in asked:  # for its columns
+                    Path(asked[asked.index("--csv") + 1]).write_text("time [s]\n")
+                    return call(["true"])
+                if "a=3" in asked:
+                    raise cause
+                return call(["echo", json.dumps(result({}, 1.0).run)])
+
+            with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as out, \
+                 contextlib.redirect_stderr(io.StringIO()) as err:
+                table, manifest = Path(folder, "t.csv"), Path(folder, "t.csv.manifest.json")
+                manifest.write_text("{}")  # of an earlier table
+                words = ["s", "--json", "--csv", str(table)]
+                with self.assertRaises(cause):
+                    runs.Runs(words, taken(["s", "--sweep", "a=1,2,3,4"])[0], start, lambda scene: {"a"}).all()
+                with open(table, newline="") as file:
+                    self.assertEqual([row["a"] for row in csv.DictReader(file)], ["1", "2"])
+                self.assertFalse(manifest.exists())
+                self.assertEqual(len(json.loads(out.getvalue())["runs"]), 2)
+                self.assertIn("Interrupted. The table has 2 of 4 runs.", err.getvalue())
+                with self.assertRaises(cause):
+                    runs.Runs(words, taken(["s", "--sweep", "a=3,4"])[0], start, lambda scene: {"a"}).all()
+                self.assertIn("Interrupted before a run ended.", err.getvalue())
+
+
 class OnSlurm(unittest.TestCase):
     """An imitation of Slurm that runs each part at once: only the division of a sweep is tested."""
 

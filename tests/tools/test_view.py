@@ -40,6 +40,8 @@ BAD_INPUT = (
     (["view", "pendulum", "--gltf", "/nowhere/x.gltf"], "/nowhere/x.gltf", "cannot be written"),
     (["view", "nothing.jsonl"], "nothing.jsonl", "No such file"),
     (["view", "README.md"], "README.md", "not a recording"),
+    (["view", "README.md", "--out", "./README.md"], "README.md is read, so it cannot be written"),
+    (["view", "README.md", "--gltf", "README.md"], "README.md is read, so it cannot be written"),
     (["view", "README.md", "--mine"], "--mine"),
     (["view", "README.md", "--h", "1"], "--h"),
     (["play"], "a scene is missing"),

@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import signal
 import sys
 from collections.abc import Callable
 
@@ -26,6 +27,7 @@ def _function(place: str) -> Callable:
 
 def main(words: list[str]) -> int:
     terminal.prepare()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # an exception, so that what was begun is ended
     try:
         arguments = parse(words)
         if arguments.command in FORWARDED:

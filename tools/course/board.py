@@ -16,7 +16,7 @@ from verdict import Verdict, judge_all
 def progress(arguments) -> int:
     chapters = read_chapters()
     verdicts = judge_all([exercise for chapter in chapters for exercise in chapter.exercises])
-    remember((verdict.exercise, verdict.state) for verdict in verdicts)
+    remember(verdicts)
     if arguments.json:
         print(json.dumps(as_json(verdicts) | {"predictions": predictions_as_json(chapters)}, indent=2))
     else:

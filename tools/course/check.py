@@ -26,7 +26,7 @@ def check_which(which: str | None, seed: int | None) -> int:
     exercises = pick(which)
     if len(exercises) == 1:
         verdict = judge(exercises[0], seed)
-        remember([(verdict.exercise, verdict.state)])
+        remember([verdict])
         show(verdict)
         if verdict.state != "done":
             return 1
@@ -47,7 +47,7 @@ def check_which(which: str | None, seed: int | None) -> int:
 
 def _judged(exercises: list[Exercise], seed: int | None) -> list[Verdict]:
     verdicts = judge_all(exercises, seed)
-    remember((verdict.exercise, verdict.state) for verdict in verdicts)
+    remember(verdicts)
     return verdicts
 
 

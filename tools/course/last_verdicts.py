@@ -5,14 +5,16 @@ from collections.abc import Iterable
 
 import remembered
 from manifest import Exercise
+from verdict import Verdict
 
 _FILE, _TABLE = "verdicts.json", "verdicts"
 
 
-def remember(states: Iterable[tuple[Exercise, str]]) -> None:
+def remember(verdicts: Iterable[Verdict]) -> None:
     """Stores done or wrong beside the judged text. Exercises that are not started are not stored."""
     known = remembered.read(_FILE, _TABLE)
-    new = {exercise.label: [state, _digest(exercise)] for exercise, state in states if state != "not started"}
+    new = {verdict.exercise.label: [verdict.state, _digest(verdict.source)] for verdict in verdicts
+           if verdict.state != "not started"}
     if any(known.get(label) != entry for label, entry in new.items()):
         remembered.write(_FILE, _TABLE, known | new)
 
@@ -24,9 +26,9 @@ def last_state(exercise: Exercise) -> str:
     if not exercise.started():
         return "not started"
     entry = remembered.read(_FILE, _TABLE).get(exercise.label)
-    seen = isinstance(entry, list) and entry[1:] == [_digest(exercise)] and entry[0] in ("done", "wrong")
+    seen = isinstance(entry, list) and entry[1:] == [_digest(exercise.source())] and entry[0] in ("done", "wrong")
     return entry[0] if seen else "begun"
 
 
-def _digest(exercise: Exercise) -> str:
-    return hashlib.sha256((exercise.source() or "").encode()).hexdigest()
+def _digest(source: str | None) -> str:
+    return hashlib.sha256((source or "").encode()).hexdigest()

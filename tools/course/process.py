@@ -20,8 +20,11 @@ def stream(command: list[str], on_line: Callable[[str], None], log: Path | None 
         for line in process.stdout:
             lines.append(line)
             on_line(line)
+    except BaseException:
+        process.terminate()  # it may not know yet; ninja passes it on to its compilers
+        raise
     finally:
-        # After Ctrl-C the tool, which got it, too, is let end what it is writing.
+        # The tool is let end what it is writing.
         process.stdout.close()
         process.wait()
         if log:

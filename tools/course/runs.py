@@ -15,9 +15,18 @@ from errors import BadInput
 from extras import Extras
 from grid import combinations, impossible_value, number, write_csv, write_parquet
 from paths import BUILD, ROOT, shown
+from provenance import manifest_of
 from slurm import run_array
 from sweep import Result, Sweep, as_json, as_text
 from terminal import Bar, fold_lines
+
+
+class Interrupted(Exception):
+    """A sweep that was told to end, by Ctrl-C or SIGTERM, and the results that it has."""
+
+    def __init__(self, results: list[Result], cause: BaseException):
+        super().__init__()
+        self.results, self.cause = results, cause
 
 
 class Runs:
@@ -65,8 +74,18 @@ class Runs:
             raise BadInput(f"run: {why or refusals[0]}")
         self.skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
         asked = [(point, words) for point, words, why in zip(points, each, refusals) if not why]
-        results, tables, worst = self._results(asked, folder)
-        put_out(Sweep(axes, results, self.skipped, f"{index}/{count}" if count > 1 else ""), self._words)
+        part = f"{index}/{count}" if count > 1 else ""
+        try:
+            results, tables, worst = self._results(asked, folder)
+        except Interrupted as end:
+            if end.results:
+                put_out(Sweep(axes, end.results, self.skipped, part), self._words)
+                if csv := value_of("--csv", self._words):  # an earlier table's manifest is not that of this one
+                    manifest_of(Path(csv)).unlink(missing_ok=True)
+            print(f"Interrupted. The table has {len(end.results)} of {len(asked)} runs." if end.results else
+                  "Interrupted before a run ended.", file=sys.stderr)
+            raise end.cause
+        put_out(Sweep(axes, results, self.skipped, part), self._words)
         if tables:
             self._draw(tables)
         return worst
@@ -83,7 +102,11 @@ class Runs:
         bar, results, tables, worst = Bar("sweep", len(asked)), [], [], 0
         for point, words in asked:
             table = folder / "run.csv"
-            code, out, err = self._captured([*words, "--json", *(["--csv", str(table)] if self._extras.plot else [])])
+            try:
+                code, out, err = self._captured([*words, "--json", *(["--csv", str(table)] if self._extras.plot else [])])
+            except (KeyboardInterrupt, SystemExit) as end:
+                bar.done()
+                raise Interrupted(results, end) from None
             worst = max(worst, 1 if code < 0 else code)  # a signal's is negative
             run = json.loads(out) if out else None  # with --strict the program prints what is not sound, and fails
             results.append(Result(point, run, "" if out else _last_line(err) or "it failed"))

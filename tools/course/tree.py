@@ -59,10 +59,12 @@ class Tree:
         if not self._is_of_this_course():
             self._say_that_it_was_moved()
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
-        for other in _LINKS.get(self.preset, []):
-            Tree(other).configure()
+        for other in map(Tree, _LINKS.get(self.preset, [])):
+            with other.alone():
+                other.configure()
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
+        self._configured.unlink(missing_ok=True)
         command = [*self._wrapper, "cmake", "--preset", self.preset, "-B", str(self.path),
                    f"-DPython3_EXECUTABLE={sys.executable}", *settings]
         code, output = stream(command, lambda line: live.update(), log, cwd=ROOT)
@@ -70,6 +72,7 @@ class Tree:
         if code != 0:
             raise CourseError(f"CMake failed; the whole log is in {shown(log)} "
                               "(is something missing? ./course start)", tail(output))
+        self._configured.touch()
 
     def setting(self, name: str) -> str:
         """Returns a value in CMake's cache; empty if there is none."""
@@ -97,6 +100,11 @@ class Tree:
                            f"{shown(self.path / 'course-build.log')}",
                            from_failure(built.output))
 
+    @property
+    def _configured(self) -> Path:
+        """The file that is there if CMake succeeded."""
+        return self.path / "course-configured"
+
     def _is_of_this_course(self) -> bool:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
 
@@ -107,9 +115,9 @@ class Tree:
               file=sys.stderr, flush=True)
 
     def _is_current(self) -> bool:
-        """Tells whether CMake has read the present presets, and this Python. Ninja checks the rest."""
-        log = self.path / "course-configure.log"
-        return (log.exists() and log.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
+        """Tells whether CMake has read the present presets, and this Python, to its end. Ninja checks the rest."""
+        return (self._configured.exists()
+                and self._configured.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
                 and self.setting("Python3_EXECUTABLE") == sys.executable)
 
     def _show(self, live: Live, line: str) -> None:

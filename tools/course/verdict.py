@@ -34,15 +34,20 @@ class Verdict:
     tests: int = 0
     warnings: list[str] = field(default_factory=list)
     note: str = ""  # what could not be tested
+    source: str | None = None  # the text that was read before the build; one saved since then is not judged
 
 
 def judge(exercise: Exercise, seed: int | None = None) -> Verdict:
     """Builds and tests the student's file."""
-    return without_building(exercise) or _judge_built(exercise, _build([exercise]), seed)
+    source = exercise.source()
+    verdict = without_building(exercise) or _judge_built(exercise, _build([exercise]), seed)
+    verdict.source = source
+    return verdict
 
 
 def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdict]:
     """Judges several exercises: one build, and the tests side by side."""
+    sources = [exercise.source() for exercise in exercises]
     to_build = [exercise for exercise in exercises if not without_building(exercise)]
     built = _build(to_build) if to_build else Built(True, "")
 
@@ -55,10 +60,13 @@ def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdic
 
     pool = ThreadPoolExecutor(jobs())
     try:
-        return list(pool.map(verdict, exercises))
+        verdicts = list(pool.map(verdict, exercises))
     finally:
         # After Ctrl-C, which the running tests get, too, no others are begun.
         pool.shutdown(cancel_futures=True)
+    for one, source in zip(verdicts, sources):
+        one.source = source
+    return verdicts
 
 
 def _targets(exercise: Exercise) -> tuple[str, str]:
