@@ -43,7 +43,7 @@ class Sets(unittest.TestCase):
                     self.assertEqual(labels, [f"mutants.{name.split('.')[1]}"])
                 else:
                     self.assertIn(labels, ([], ["fast"]))
-                    self.assertTrue(labels or name == "hidden" or name.startswith(("plot.", "tools.")))
+                    self.assertTrue(labels or name == "hidden" or name.startswith(("plot.", "seeds.", "tools.")))
 
     def test_what_is_promised_is_fast(self):
         tools = ("course_check", "course_run", "stubs", "grade_class", "lessons", "book", "format", "mutants")
@@ -87,9 +87,9 @@ class Sets(unittest.TestCase):
                         self.assertTrue(f"-o {program.relative_to(CHECK.path)} " in commands, program)
 
     def test_what_is_left_out_is_said(self):
-        said = everything.left_out(["a", "hidden", "hidden.02", "mutant.01", "mutant.02", "plot.energy", "tools.slurm"],
+        said = everything.left_out(["a", "hidden", "hidden.02", "mutant.01", "mutant.02", "plot.energy", "seeds.01", "tools.slurm"],
                                    ["a", "mutant.01"])
-        self.assertEqual(said, "Left out: 1 mutant.* (nothing changed), 1 hidden.* (likewise), 1 plot.*, hidden, tools.slurm, "
+        self.assertEqual(said, "Left out: 1 mutant.* (nothing changed), 1 hidden.* (likewise), 1 plot.*, 1 seeds.*, hidden, tools.slurm, "
                                "all tests under sanitizers. ./course test --all runs them.")
         self.assertTrue(everything.left_out(["a", "tools.stubs"], ["a"], ["tools.stubs"]).startswith(
             "Left out: tools.stubs (nothing changed), all tests under sanitizers."))

@@ -122,7 +122,7 @@ def left_out(every: list[str], run: list[str], unchanged: Collection[str] = ()) 
     there = set(run)
     rest = [name for name in every if name not in there]
     said = []
-    kinds = {"mutant.": " (nothing changed)", "hidden.": " (likewise)", "plot.": ""}
+    kinds = {"mutant.": " (nothing changed)", "hidden.": " (likewise)", "plot.": "", "seeds.": ""}
     for kind, why in kinds.items():
         count = sum(name.startswith(kind) for name in rest)
         said += [f"{count} {kind}*{why}"] if count else []
