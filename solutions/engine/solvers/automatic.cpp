@@ -1,6 +1,7 @@
 // The solver "auto", which selects a method for each island:
 //
-//   factors     at once if they cost less than the allowed sweeps: Eq. (11.1)-(11.15); with contacts on cones those of
+//   factors     at once if they cost less than the allowed sweeps: in fronts, engine/solvers/frontal_direct.hpp, if no
+//               bound is in the way, else Eq. (11.1)-(11.15); with contacts on cones those of
 //               engine/solvers/solve_on_cones.hpp
 //   sweeps      otherwise, up to the allowed number: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13). On
 //               cones: sweeps of chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), to 1e-6 of
@@ -239,6 +240,9 @@ class Automatic {
   SolverResult factorised(const IslandView& part, double enough, double allowed, Island<Dof>& island) const {
     if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
+      if (!wants_bodies(part.rows))
+        if (auto solved = frontal_direct(part.rows, part.V, until, island.in_fronts))
+          return without_updates(*std::move(solved));
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.friction, part.inverse_mass, island.on_cones);

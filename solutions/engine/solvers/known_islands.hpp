@@ -11,6 +11,7 @@
 
 #include "engine/linear/body_numbers.hpp"
 #include "engine/linear/contact_velocity_system.hpp"
+#include "engine/solvers/frontal_direct.hpp"
 #include "engine/solvers/islands.hpp"
 #include "engine/solvers/solve_directly.hpp"
 #include "engine/solvers/solver.hpp"
@@ -63,6 +64,7 @@ struct Island {
   std::vector<int> members;
   std::optional<double> cost;     ///< of factors, in sweeps
   std::optional<double> counted;  ///< the same, counted, on cones
+  FrontalFactors in_fronts;
   RowAndVelocityFactors<Dof> factors;
   ContactVelocitySystem<Dof> on_cones;
 };

@@ -10,9 +10,8 @@ template <int Dof>
 SolveReport solve_directly(std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass,
                            std::vector<Twist<Dof>>& V, const StopRule& stop,
                            RowAndVelocityFactors<Dof>& factors) {
-  auto solved = wants_bodies(rows) ? primal_newton(rows, inverse_mass, V, stop, factors.on_bodies)
-                                   : frontal_direct(rows, V, stop, factors.in_fronts);
-  if (solved) return *std::move(solved);
+  if (wants_bodies(rows))
+    if (auto solved = primal_newton(rows, inverse_mass, V, stop, factors.on_bodies)) return *std::move(solved);
   return direct_solve(rows, V, stop, factors.on_rows);
 }
 

@@ -1,18 +1,15 @@
 #pragma once
 // Solves rows by factors, with rows or bodies as unknowns, whichever are fewer.
 //
-//   in fronts   S λ = B, Eq. (11.1), (11.3), without bounds: engine/solvers/frontal_direct.hpp
-//   on rows     if that leaves the bounds: interior point, Eq. (11.5)-(11.14), by direct_solve of chapter 11
+//   on rows     S λ = B, Eq. (11.1), (11.3), interior point, Eq. (11.5)-(11.14): direct_solve of chapter 11
 //   on bodies   Eq. (11.15), from the current λ: engine/solvers/primal_newton.hpp; on rows if that does not converge
-#include "engine/solvers/frontal_direct.hpp"
 #include "engine/solvers/primal_newton.hpp"
 
 namespace spook {
 
-/// Caches of the methods for the next step: orders of elimination and patterns.
+/// Caches of both methods for the next step: orders of elimination and patterns.
 template <int Dof>
 struct RowAndVelocityFactors {
-  FrontalFactors in_fronts;
   Factors on_rows;
   PrimalFactors<Dof> on_bodies;
 };
