@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "checks.hpp"
 
@@ -183,11 +184,14 @@ bool nans_are_kept(const std::string& equation, const std::function<Outcome(Repl
     const Outcome lost = call(not_a_number);
     const bool is_one =
         std::any_of(lost.numbers.begin(), lost.numbers.end(), [](double x) { return std::isnan(x); });
-    // The change may have made a yes of a no, and a NaN gives the no that was there before.
-    const auto is_other = [&](const Outcome& than) {
-      return lost.counts != than.counts || lost.numbers.size() != than.numbers.size();
+    const auto is_other = [](const Outcome& one, const Outcome& than) {
+      return one.counts != than.counts || one.numbers.size() != than.numbers.size();
     };
-    const bool is_no = is_other(first) || is_other(other);
+    // If the change made a yes of a no, a NaN gives the no that was there before.
+    const auto sum = [](const Outcome& of) {
+      return std::accumulate(of.counts.begin(), of.counts.end(), std::ssize(of.numbers));
+    };
+    const bool is_no = is_other(lost, first) || (is_other(other, first) && sum(other) > sum(first));
     if (is_one || is_no || !lost.thrown.empty()) continue;
     Replacing again(which, nan);
     call(every);

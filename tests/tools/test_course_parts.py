@@ -249,20 +249,28 @@ class Next(unittest.TestCase):
     def test_a_text_that_is_saved_during_its_test_is_not_judged_by_it(self):
         first, second, _ = self.three
 
-        def save(exercises):
-            self.texts |= dict.fromkeys(exercises, "wrong")
+        def build(exercises):
+            self.texts |= dict.fromkeys(exercises, self.saved["build"])
             return verdict.Built(True, "")
 
+        def test(exercise, *_):
+            self.texts[exercise] = self.saved["test"]
+            return board.Verdict(exercise, "done")
+
         for judge in (lambda exercise: [verdict.judge(exercise)], lambda exercise: verdict.judge_all([exercise])):
-            self.texts = dict.fromkeys((first, second), "right")
-            with mock.patch.object(verdict, "_build", save), \
-                 mock.patch.object(verdict, "without_building", return_value=None), \
-                 mock.patch.object(verdict.CHECK, "failed", return_value=False), \
-                 mock.patch.object(verdict, "_judge_built", lambda exercise, *_: board.Verdict(exercise, "done")):
-                last_verdicts.remember(judge(first))
-            self.assertEqual(last_verdicts.last_state(first), "begun")
-            self.texts[first] = "right"
-            self.assertEqual(last_verdicts.last_state(first), "done")
+            for build_saves, test_saves, states in (("b", "b", ("begun", "begun")), ("a", "b", ("begun", "begun")),
+                                                    ("a", "a", ("done", "begun"))):
+                self.texts = dict.fromkeys((first, second), "a")
+                self.saved = {"build": build_saves, "test": test_saves}
+                (self.state / "verdicts.json").unlink(missing_ok=True)
+                with mock.patch.object(verdict, "_build", build), \
+                     mock.patch.object(verdict, "without_building", return_value=None), \
+                     mock.patch.object(verdict.CHECK, "failed", return_value=False), \
+                     mock.patch.object(verdict, "_judge_built", test):
+                    last_verdicts.remember(judge(first))
+                for text, state in zip("ab", states):
+                    self.texts[first] = text
+                    self.assertEqual(last_verdicts.last_state(first), state, (build_saves, test_saves, text))
 
     def test_what_a_check_found_is_remembered_for_this_text(self):
         first, second, third = self.three

@@ -77,6 +77,22 @@ class Films(unittest.TestCase):
             with self.subTest(folder):
                 self.assertEqual(exercises - called, set(not_shown(folder)))
 
+    def test_the_wires_of_chapter_11_call_its_solver(self):
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook_mine")
+        found = re.findall(r"^\./course run (wire .*--solver direct.*)$", self.lessons["11_direct"], re.MULTILINE)
+        commands = [line for line in found if "--mine" in line]
+        self.assertEqual(len(commands), 2)
+        for line in commands:
+            words = [*re.sub(r" --time \S+| --mine", "", line).split(), "--time", "0.05"]
+            with self.subTest(words=words), tempfile.TemporaryDirectory() as scratch:
+                calls = Path(scratch, "calls")
+                done = subprocess.run([spook, "run", *words, "--json"], capture_output=True, text=True,
+                                      env=os.environ | {"SPOOK_CALLS": str(calls)})
+                self.assertEqual(done.returncode, 0, done.stderr)
+                if not calls.exists():
+                    self.skipTest("this program cannot tell what it calls; see tools/noting.py")
+                self.assertLessEqual({"direct_solve", "factorise", "schur_complement"}, set(calls.read_text().split()))
+
     def test_a_chapter_with_a_step_says_how_to_run_it(self):
         spook = Path(os.environ["COURSE_BUILD"], "release", "solutions", "spook")
         shown = {folder: own_step(folder) for folder in self.lessons if own_step(folder)}

@@ -21,10 +21,9 @@ def stream(command: list[str], on_line: Callable[[str], None], log: Path | None 
             lines.append(line)
             on_line(line)
     except BaseException:
-        process.terminate()  # it may not know yet; ninja passes it on to its compilers
+        process.terminate()  # ninja then ends its compilers, and removes what they have half written
         raise
     finally:
-        # The tool is let end what it is writing.
         process.stdout.close()
         process.wait()
         if log:

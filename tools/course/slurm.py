@@ -42,7 +42,7 @@ def run_array(command: list[str], count: int, folder: Path, what: str) -> dict[i
         while left := _waiting(job):
             live.update(f"{count - left} of {count} parts")
             time.sleep(1)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, SystemExit):
         subprocess.run(["scancel", job], capture_output=True)
         raise
     finally:

@@ -47,21 +47,24 @@ class Tree:
         env = os.environ | {"NINJA_STATUS": "[%f/%t] ", "LC_ALL": "C"}
         live, log = Live(what), self.path / "course-build.log"
         with self.alone():
-            self.configure()
+            self._configure()
             code, output = stream(command, lambda line: self._show(live, line), log, env)
         live.done()
         return Built(code == 0, output)
 
     def configure(self, *settings: str) -> None:
         """Runs CMake if it never ran here, if the course was moved, or if there are new settings or presets."""
+        with self.alone():
+            self._configure(*settings)
+
+    def _configure(self, *settings: str) -> None:
         if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course() and self._is_current():
             return
         if not self._is_of_this_course():
             self._say_that_it_was_moved()
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
-        for other in map(Tree, _LINKS.get(self.preset, [])):
-            with other.alone():
-                other.configure()
+        for other in _LINKS.get(self.preset, []):
+            Tree(other).configure()
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
         self._configured.unlink(missing_ok=True)

@@ -34,14 +34,14 @@ class Verdict:
     tests: int = 0
     warnings: list[str] = field(default_factory=list)
     note: str = ""  # what could not be tested
-    source: str | None = None  # the text that was read before the build; one saved since then is not judged
+    source: str | None = None  # the judged text; None if it was saved while it was built or tested
 
 
 def judge(exercise: Exercise, seed: int | None = None) -> Verdict:
     """Builds and tests the student's file."""
     source = exercise.source()
     verdict = without_building(exercise) or _judge_built(exercise, _build([exercise]), seed)
-    verdict.source = source
+    verdict.source = source if exercise.source() == source else None
     return verdict
 
 
@@ -65,7 +65,7 @@ def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdic
         # After Ctrl-C, which the running tests get, too, no others are begun.
         pool.shutdown(cancel_futures=True)
     for one, source in zip(verdicts, sources):
-        one.source = source
+        one.source = source if one.exercise.source() == source else None
     return verdicts
 
 

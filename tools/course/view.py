@@ -40,7 +40,7 @@ def view(arguments) -> int:
     out = Path(arguments.gltf or arguments.out) if arguments.gltf or arguments.out else None
     if not words or words[0].startswith("-"):
         raise BadInput("view: a scene is missing; name it first: ./course view SCENE [OPTION ...]")
-    if out and any(out.resolve() == Path(word).resolve() for word in words):
+    if out and out.exists() and any(out.resolve() == Path(word).resolve() for word in words):
         raise BadInput(f"view: {out} is read, so it cannot be written; choose another file")
     is_file = ("." in words[0] or "/" in words[0]) and not words[0].endswith(".json")  # which is a scene
     if is_file:

@@ -75,7 +75,7 @@ class ImpactQueue {
         if (const auto late = approach(c)) resolve(connected(c), *late);
       }
     }
-    if (resolved_)
+    if (!impacts_.empty())
       for (Contact& contact : contacts_) contact = moved_on(contact, moved_, radii_);
     return std::move(impacts_);
   }
@@ -177,9 +177,7 @@ class ImpactQueue {
       impacts = resolve_at(0, together, moving, joints);
     }
     if (impacts.empty()) return;
-    resolved_ = true;
-    for (const Impact& impact : impacts)  // going back in time, some of several contacts may separate
-      if (impact.speed > 0) impacts_.push_back(impact);
+    impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
     for (const std::size_t c : together) ++impacts_of_[c];
     for (const std::size_t body : moving) around(body, [&](std::size_t other) { look_again(other); });
   }
@@ -314,7 +312,6 @@ class ImpactQueue {
   std::priority_queue<Approach> queue_;
   std::vector<double> radii_;
   std::vector<Impact> impacts_;
-  bool resolved_ = false;  // impacts, or contacts that only seemed to have one
   std::optional<ImpactJoints<Dof>> joints_;
   Displacements moved_;
   std::vector<int> version_, impacts_of_;            // of each contact

@@ -42,7 +42,8 @@ double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 /// by at most a millionth of a step, and that dynamic bodies or joints connect, are resolved together: Eq. (7.18).
 /// Joints of these bodies take their impulses, Eq. (7.19); their defaults must be filled in. `move_freely` moves their
 /// bodies. A contact has at most `max_passes` impacts in a call. A delay is at most two steps, of `h` or of the last
-/// step `last_h` [s]. Updates velocities, positions and gaps. Returns the impacts.
+/// step `last_h` [s]. Updates velocities, positions and gaps. Returns the impacts. Of several contacts that are resolved
+/// together, some may separate at the earlier time: their speed is not positive.
 template <int Dof>
 std::vector<Impact> resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h,
                                          double last_h, const Shapes& shapes, const std::vector<Joint>& joints,

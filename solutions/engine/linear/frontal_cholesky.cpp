@@ -67,8 +67,8 @@ struct Order {
       if (later[p].empty() || later[p].front() != p + 1) return p;
       const int more = reach(p + 1) - (reach(p) - size[p]);  // unknowns that p + 1 acts on, but p does not
       zeros += width * more;
+      entries += width * more + size[p + 1] * reach(p + 1);
       width += size[p + 1];
-      entries += size[p + 1] * reach(p + 1) + width * more;
       if (zeros > zeros_in_a_front * entries) return p;
     }
   }

@@ -1,10 +1,11 @@
 #pragma once
 // Factors P A Pᵀ = L Lᵀ of a sparse positive definite matrix, by dense fronts.
 //
-//   nodes    neighbouring unknowns with the same neighbours, as those of a joint or a body
-//   fronts   nodes in the order of engine/linear/elimination.hpp, joined where L has the same entries below them
+//   nodes    successive unknowns with the same later neighbours, as those of a joint or a body
+//   fronts   nodes in the order of engine/linear/elimination.hpp, joined where L has nearly the same entries below them
 //   panel    the columns of L of a front: its own unknowns, and the later ones that they act on, its border
-//   rest     what the front subtracts from A on its border. It is added to the front of the border's first unknown
+//   rest     minus the products of the panel's border with itself. The front of the border's first unknown, its parent,
+//            adds this to its own entries
 //
 // Dense arithmetic is several times as fast as sparse arithmetic, which spends most of its time on finding entries.
 // J. W. H. Liu, "The multifrontal method for sparse matrix solution: theory and practice", SIAM Review 34 (1992).
@@ -31,7 +32,7 @@ class FrontalCholesky {
   struct Front {
     int first = 0, width = 0;                  // own unknowns, by their places
     std::vector<int> border;                   // places, ascending
-    std::vector<int> in_parent;                // index of each unknown of the border in the next front
+    std::vector<int> in_parent;                // index of each unknown of the border in the parent
     std::vector<int> children;                 // fronts that are added to this one
     std::vector<std::pair<int, int>> entries;  // of A, and where each is in the panel
     Eigen::MatrixXd panel, rest;               // of rest: its lower triangle

@@ -9,7 +9,8 @@ namespace spook {
 /// Dense or sparse factors of the last matrix.
 class VelocityFactors {
  public:
-  /// Factorises a symmetric positive definite matrix, given as its lower triangle. Returns false, with useless factors,
+  /// Factorises a symmetric positive definite matrix, given as its lower triangle, compressed, with all of its diagonal.
+  /// Returns false, with useless factors,
   /// if a pivot fails Eq. (11.4).
   bool factorise(const SparseMatrix& A) {
     is_small_ = A.cols() <= DenseLdlt::most;

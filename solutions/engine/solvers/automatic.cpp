@@ -240,7 +240,7 @@ class Automatic {
   SolverResult factorised(const IslandView& part, double enough, double allowed, Island<Dof>& island) const {
     if (part.friction.empty()) {
       const StopRule until{.tolerance = enough};
-      if (!wants_bodies(part.rows))
+      if (part.rows.size() > most_dense_rows && !wants_bodies(part.rows))
         if (auto solved = frontal_direct(part.rows, part.V, until, island.in_fronts))
           return without_updates(*std::move(solved));
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));

@@ -30,7 +30,7 @@ void add_impulses(const Values& more, std::vector<Row<Dof>>& rows, std::vector<T
   }
 }
 
-/// Solves the rows for any initial λ and V; `solve` replaces the impulses x by S⁻¹ x. The history has one entry.
+/// Solves the rows for any initial λ and V; `solve` replaces velocities x by the impulses S⁻¹ x. The history has one entry.
 /// Returns nothing if a λ is not strictly within its bounds, or if the residual exceeds stop.tolerance and the
 /// round-off of Eq. (11.13). On failure, rows and V are unchanged if no solution was tried. Otherwise each λ is within
 /// its bounds, and V is M⁻¹ Gᵀ λ. `friction`: contacts whose friction must also be within its cone, Eq. (9.3). `x` is

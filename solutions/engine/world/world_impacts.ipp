@@ -1,6 +1,7 @@
 // Impacts at the start of a step: engine/impacts/impacts.hpp.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "engine/impacts/impacts.hpp"
@@ -75,7 +76,8 @@ void World<Dof>::resolve_impacts(double h) {
     const std::vector<Impact> hits =
         resolve_late_impacts<Dof>(contacts_, law_of, h, h_, shapes_, joints_, move_freely, bodies_);
     if (hits.empty()) break;
-    impacts_.insert(impacts_.end(), hits.begin(), hits.end());
+    std::copy_if(hits.begin(), hits.end(), std::back_inserter(impacts_),
+                 [](const Impact& hit) { return hit.speed > 0; });
     std::vector<std::pair<int, int>> known;
     for (const Contact& contact : contacts_) known.push_back({contact.i, contact.j});
     std::sort(known.begin(), known.end());
