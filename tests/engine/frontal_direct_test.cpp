@@ -17,15 +17,7 @@ namespace {
 template <int Dof>
 struct Ladder : RandomSystem<Dof> {
   Ladder(unsigned seed, int rungs, double bound = infinity) : RandomSystem<Dof>(seed) {
-    for (int b = 0; b < 2 * rungs; ++b) {
-      InverseMass<Dof> inverse{};
-      if (b > 1) {
-        inverse.linear = std::exp(3 * this->uniform());
-        if constexpr (Dof == 6) inverse.angular = 6 * inverse.linear * Mat3::Identity();
-      }
-      this->add_body(inverse);
-    }
-    this->V.assign(this->motion.W.size(), Twist<Dof>::Constant(7));  // whatever it is
+    this->add_light_and_heavy(2 * rungs, 2);
     const auto join = [&](int i, int j) {
       for (int n = 0; n < (Dof == 6 ? 3 : 1); ++n)
         this->add_row(i, j, spook_parameters(this->h, 1e9, 3), -bound, bound);

@@ -1,5 +1,6 @@
 #pragma once
 // Rows that belong to no world, as a solver gets them.
+#include <cmath>
 #include <random>
 
 #include "engine/solvers/registry.hpp"
@@ -27,6 +28,19 @@ class RandomSystem {
     motion.inverse_mass.push_back(inverse);
     motion.W.push_back(twist());
     motion.Wf.push_back(h * twist());
+  }
+
+  /// Adds bodies of masses from e⁻³ to e³, the first of which are static, and sets V to any velocities.
+  void add_light_and_heavy(int bodies, int fixed) {
+    for (int b = 0; b < bodies; ++b) {
+      InverseMass<Dof> inverse{};
+      if (b >= fixed) {
+        inverse.linear = std::exp(3 * uniform());
+        if constexpr (Dof == 6) inverse.angular = 6 * inverse.linear * Mat3::Identity();
+      }
+      add_body(inverse);
+    }
+    V.assign(motion.W.size(), Twist<Dof>::Constant(7));
   }
 
   void add_row(int i, int j, const SpookParameters& spook, double lo, double hi) {

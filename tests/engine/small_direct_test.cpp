@@ -16,15 +16,7 @@ namespace {
 template <int Dof>
 struct Chain : RandomSystem<Dof> {
   Chain(unsigned seed, int bodies, int count, double bound = infinity) : RandomSystem<Dof>(seed) {
-    for (int b = 0; b < bodies; ++b) {
-      InverseMass<Dof> inverse{};
-      if (b > 0) {
-        inverse.linear = std::exp(3 * this->uniform());
-        if constexpr (Dof == 6) inverse.angular = 6 * inverse.linear * Mat3::Identity();
-      }
-      this->add_body(inverse);
-    }
-    this->V.assign(this->motion.W.size(), Twist<Dof>::Constant(7));  // whatever it is
+    this->add_light_and_heavy(bodies, 1);
     for (int k = 0; k < count; ++k) {
       const int i = k % (bodies - 1);
       this->add_row(i, i + 1, spook_parameters(this->h, 1e9, 3), -bound, bound);
